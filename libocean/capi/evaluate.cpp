@@ -165,6 +165,17 @@ ocean_result ocean_wake_region(ocean_sea* sea, size_t hull, double time,
     });
 }
 
+ocean_result ocean_wake_add(ocean_sea* sea, size_t hull, double time,
+                            const ocean_region_request* request) {
+    return in_handle(sea, [&] {
+        require(request, "request");
+        require_finite(time, "time", "seconds");
+        std::vector<MapOutput>& maps = sea->map_outputs;
+        const Domain region = read_region(request, maps);
+        sea->ocean->add_wake(hull, time, region, maps);
+    });
+}
+
 ocean_result ocean_bed_region(const ocean_sea* sea, double x, double y, double cell,
                               int32_t columns, int32_t rows, float* heights) {
     return in_handle(sea, [&] {

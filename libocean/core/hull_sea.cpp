@@ -62,6 +62,12 @@ bool have_other_tracks(const std::vector<Hull>& before, const std::vector<Hull>&
     });
 }
 
+/// Returns true for an output with all components of a normal, or none.
+bool has_all_of_normal(const MapOutput& output) {
+    const ChannelSet channels = channels_of({&output, 1});
+    return !channels.intersects(kNormals) || channels.contains(kNormals);
+}
+
 /// The masks of all hulls together.
 class AllMarks {
   public:
@@ -174,7 +180,8 @@ void HullSea::write_region(double time, const Domain& domain, std::span<const Ma
         });
     };
     open().pool().for_each_item(domain.samples[1], [&](int j, int) {
-        write_region_row<LabelPoint>(domain, j, channels, outputs, read, own);
+        write_region_row<LabelPoint>(domain, j, {0, domain.samples[0]}, channels, outputs, read,
+                                     own);
     });
 }
 
@@ -193,7 +200,7 @@ Domain HullSea::wake_domain(std::size_t hull, double time) const {
 }
 
 void HullSea::wake_into(std::size_t hull, double time, const Domain& domain,
-                        std::span<const MapOutput> outputs) {
+                        std::span<const MapOutput> outputs, bool adds) {
     require_time(time);
     require_region(domain);
     const ChannelSet channels = channels_of(outputs);
@@ -204,22 +211,34 @@ void HullSea::wake_into(std::size_t hull, double time, const Domain& domain,
                     "a wake alone has no foam and no mask but its trail; allowed: trail and the "
                     "channels of its waves");
     }
+    if (adds && !std::ranges::all_of(outputs, has_all_of_normal)) {
+        throw Error(ErrorKind::unsupported,
+                    "a wake tilts whole normals; allowed: nx, ny and nz in one output");
+    }
     HullSurface& surface = still_surface(time);
     surface.move_wakes_to(time, needs_rates(channels), open().pool());
     const Wake& wake = *surface.wakes()[hull];
     HullMarks marks(parameters().hulls[hull], parameters().time.loop_period);
     if (channels.contains(kTrail)) marks.move_to(time);
     wake.prepare(domain.origin[0], domain.origin[0] + domain.size[0], open().pool());
-    const auto read = [&](std::span<const WorldPoint> labels, std::span<LabelPoint> points,
-                          std::size_t) { surface.read_wake(hull, labels, points); };
+    const Wake::Rows rows(wake, domain);
     const auto trail = [&](const RegionPiece<LabelPoint>& piece, const RegionTarget& target) {
         target.write(piece.count, [&](std::size_t i) {
-            const auto share = static_cast<float>(wake.trail_share_at(piece.labels[i]));
-            return share > 0.0f ? share * marks.trail(piece.labels[i]) : 0.0f;
+            const float mark = marks.trail(piece.labels[i]);
+            if (mark == 0.0f) return 0.0f;
+            return static_cast<float>(wake.trail_share_at(piece.labels[i])) * mark;
         });
     };
-    open().pool().for_each_item(domain.samples[1], [&](int j, int) {
-        write_region_row<LabelPoint>(domain, j, channels, outputs, read, trail);
+    // Nothing is added beyond its square.
+    const auto [first, end] = adds ? wake.samples(domain, 0) : std::array{0, domain.samples[0]};
+    const auto [low, high] = adds ? wake.samples(domain, 1) : std::array{0, domain.samples[1]};
+    const RegionSpan span{first, end, adds};
+    open().pool().for_each_item(high - low, [&, low = low](int j, int) {
+        const auto read = [&](std::span<const WorldPoint>, std::span<LabelPoint> points,
+                              std::size_t first) {
+            surface.read_wake(rows, low + j, first, points);
+        };
+        write_region_row<LabelPoint>(domain, low + j, span, channels, outputs, read, trail);
     });
 }
 

@@ -32,8 +32,9 @@ class HullSea final : public PlacedSea {
                                const std::optional<Domain>& region) override;
 
     Domain wake_domain(std::size_t hull, double time) const;
+    /// adds: does as Ocean::add_wake().
     void wake_into(std::size_t hull, double time, const Domain& domain,
-                   std::span<const MapOutput> outputs);
+                   std::span<const MapOutput> outputs, bool adds);
 
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options) override;

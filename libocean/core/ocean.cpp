@@ -139,7 +139,13 @@ Domain Ocean::wake_domain(std::size_t hull, double time) const {
 void Ocean::wake_into(std::size_t hull, double time, const Domain& domain,
                       std::span<const MapOutput> outputs) {
     require_hull(hull);
-    hulls_->wake_into(hull, time, domain, outputs);
+    hulls_->wake_into(hull, time, domain, outputs, false);
+}
+
+void Ocean::add_wake(std::size_t hull, double time, const Domain& domain,
+                     std::span<const MapOutput> outputs) {
+    require_hull(hull);
+    hulls_->wake_into(hull, time, domain, outputs, true);
 }
 
 void Ocean::prepare_coast() {

@@ -791,6 +791,12 @@ OCEAN_API ocean_result ocean_wake_domain(const ocean_sea* sea, size_t hull, doub
  * and other masks. */
 OCEAN_API ocean_result ocean_wake_region(ocean_sea* sea, size_t hull, double time,
                                          const ocean_region_request* request);
+/* ocean_wake_add adds that wake to a region of the open sea, which the outputs hold. Channels that
+ * add up, and OCEAN_TRAIL, are sums then; OCEAN_JACOBIAN is one to first order, and normals are
+ * tilted to first order. A normal must be whole in one output. Errors as ocean_wake_region,
+ * UNSUPPORTED for a part of a normal. */
+OCEAN_API ocean_result ocean_wake_add(ocean_sea* sea, size_t hull, double time,
+                                      const ocean_region_request* request);
 /* The highest point of a crest: the displayed point at (x, y) [m] is `height` over still water [m]
  * at `time` [s]. struct_size = sizeof(ocean_crest), set by the caller. */
 typedef struct {

@@ -120,8 +120,9 @@ def processor_seconds(scene, ob, frames) -> list[float]:
     return taken
 
 
-WITH_A_BOAT = 1.5
-"""The wanted cost of a frame with a boat and its wake, in frames of the sea alone."""
+WITH_A_BOAT = {"HORIZON": 1.5, "PATCH": 1.6}
+"""The cost of a frame with a boat and its wake, in frames of the sea alone. The library's sums of a
+wake at the vertices of a patch are two thirds of what a boat adds."""
 
 
 @pytest.mark.parametrize("kind, repeats", [("HORIZON", 3), ("PATCH", 10)])
@@ -157,10 +158,4 @@ def test_a_frame_with_a_boat_and_its_wake_costs_half_as_much_again(scene, kind, 
         f"\n{bpy.app.version_string}, {kind.lower()}: {1e3 * sea:.1f} ms of the processor; with a "
         f"wake {wake / sea:.2f} times as much, the boat cut out {cut / sea:.2f} times"
     )
-    if kind == "HORIZON":
-        assert cut <= WITH_A_BOAT * sea
-        return
-    assert cut <= 2.0 * WITH_A_BOAT * sea
-    if cut > WITH_A_BOAT * sea:
-        # The images of a wake, and the nodes that read them at each vertex, cost some 40 ms.
-        pytest.xfail("a wake and the cut cost more than half a frame of a patch")
+    assert cut <= WITH_A_BOAT[kind] * sea

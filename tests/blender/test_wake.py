@@ -16,7 +16,7 @@ from conftest import (
     rest,
 )
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import facts, hull_values, parameter_values, wake_nodes
+from libocean_addon.sea import facts, hull_values, parameter_values, wake_nodes, wakes
 from libocean_addon.shared import changes, modifier_groups
 
 HULL = """
@@ -90,14 +90,14 @@ def wake_shown(ob) -> np.ndarray:
 
 
 def wake_at(ob, labels: np.ndarray, time: float) -> np.ndarray:
-    """Returns the sum of the wakes at labels that lie 2 m apart, from (-200, -200) on."""
-    total = np.zeros((201, 201, 3), np.float32)
+    """Returns the sum of the wakes at labels that lie 1 m apart, from (-200, -200) on."""
+    total = np.zeros((401, 401, 3), np.float32)
     with sea_of(ob) as sea:
         for hull in range(sea.wake_count):
             one = np.empty_like(total)
-            sea.fill_wake(hull, time, [(one, ("dx", "dy", "height"))], (-200.0, -200.0), 2.0)
+            sea.fill_wake(hull, time, [(one, ("dx", "dy", "height"))], (-200.0, -200.0), 1.0)
             total += one
-    index = (labels[:, :2] + 200.0) / 2.0
+    index = labels[:, :2] + 200.0
     assert np.abs(index - np.rint(index)).max() < 1e-3
     column, row = np.rint(index).astype(int).T
     return total[row, column]
@@ -118,6 +118,52 @@ def test_a_patch_is_the_region_of_the_library_at_any_frame_alone(scene, ocean):
     assert np.abs(attribute(ocean, "ocean_velocity") - velocity).max() < 1e-4
     # To first order in the slopes of both.
     assert (attribute(ocean, "ocean_normal") - normal).std() < 0.05 * normal[:, :2].std()
+
+
+def test_maps_of_sea_and_wakes_show_the_sums_of_the_nodes(scene, ocean, monkeypatch):
+    ocean.location = (5.0, -9.0, 0.0)
+    names = ("ocean_velocity", "ocean_normal", "jacobian", "foam", "cover", "trail")
+    shown = []
+    for in_maps in (True, False):
+        scene.frame_set(30)
+        use = {wake_nodes.IN_MAPS: in_maps, wake_nodes.USE: not in_maps}
+        assert {name: modifier_groups.value(ocean.modifiers[0], name) for name in use} == use
+        shown.append([positions(ocean), *(attribute(ocean, name) for name in names)])
+        monkeypatch.setattr(wakes, "vertices_of", lambda picture: None)
+        scene.frame_set(1)
+    for found, wanted in zip(*shown, strict=True):
+        assert np.ptp(found) > 0.1 and np.abs(found - wanted).max() < 2e-5
+
+
+def change_nothing(ob):
+    pass
+
+
+def array_before(ob):
+    ob.modifiers.new("Array", "ARRAY")
+    bpy.ops.object.modifier_move_to_index(modifier="Array", index=0)
+
+
+def moved_corner(ob):
+    ob.data.vertices[0].co.x -= 4.0
+
+
+@pytest.mark.parametrize(
+    "change, in_maps",
+    [
+        (change_nothing, True),
+        (array_before, False),
+        (moved_corner, False),
+        (lambda ob: setattr(ob.libocean, "mask", "painted"), False),
+        (lambda ob: setattr(ob.libocean, "use_normal", False), False),
+        (lambda ob: setattr(ob.libocean, "render_resolution", 128), False),
+    ],
+)
+def test_meshes_that_are_other_than_made_have_images_of_wakes(scene, ocean, change, in_maps):
+    change(ocean)
+    scene.frame_set(2)
+    assert modifier_groups.value(ocean.modifiers["Ocean"], wake_nodes.IN_MAPS) == in_maps
+    assert modifier_groups.value(ocean.modifiers["Ocean"], wake_nodes.USE) != in_maps
 
 
 def test_white_water_is_that_of_the_library(scene, ocean):
@@ -188,9 +234,9 @@ def test_beyond_the_square_there_is_no_wake(tmp_path):
 @pytest.mark.parametrize("follow", [True, False])
 def test_an_ocean_elsewhere_shows_the_wake_at_its_place(scene, ocean, follow):
     ocean.libocean.follow_world = follow
-    ocean.location = (38.0, -22.0, 0.0)
+    ocean.location = (39.0, -21.0, 0.0)
     scene.frame_set(30)
-    labels = rest(ocean) + (np.array([38.0, -22.0, 0.0]) if follow else 0.0)
+    labels = rest(ocean) + (np.array([39.0, -21.0, 0.0]) if follow else 0.0)
     shown, wanted = wake_shown(ocean), wake_at(ocean, labels, 29 / 24)
     assert np.abs(wanted).max() > 0.1 and np.abs(shown - wanted).max() < 2e-5
 

@@ -41,6 +41,9 @@ void the_wake_of_each_hull_is_written_alone(void) {
     OK(ocean_wake_region(sea, 0, 2.0, &region));
     for (int i = 0; i < kSide * kSide; ++i) highest = fmaxf(highest, values[2 * i]);
     CHECK(highest > 0.01f && highest < 2.0f);
+    const float once = values[2 * 100];
+    OK(ocean_wake_add(sea, 0, 2.0, &region));
+    CHECK(fabsf(values[2 * 100] - 2.0f * once) <= 1e-6f * fabsf(once));
     BAD_ARGUMENT(ocean_wake_count(NULL, &count));
     BAD_ARGUMENT(ocean_wake_count(sea, NULL));
     BAD_ARGUMENT(ocean_wake_domain(sea, 0, 0.0, NULL));
@@ -49,6 +52,12 @@ void the_wake_of_each_hull_is_written_alone(void) {
     BAD_ARGUMENT(ocean_wake_region(sea, 0, 0.0, NULL));
     BAD_ARGUMENT(ocean_wake_region(sea, 0, HUGE_VAL, &region));
     BAD_VALUE(ocean_wake_region(sea, 1, 0.0, &region));
+    BAD_ARGUMENT(ocean_wake_add(sea, 0, 0.0, NULL));
+    BAD_ARGUMENT(ocean_wake_add(sea, 0, HUGE_VAL, &region));
+    BAD_VALUE(ocean_wake_add(sea, 1, 0.0, &region));
+    output.channel[1] = OCEAN_NX;
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_wake_add(sea, 0, 0.0, &region));
     output.channel[1] = OCEAN_FOAM;
     CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_wake_region(sea, 0, 0.0, &region));
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_wake_add(sea, 0, 0.0, &region));
 }

@@ -90,6 +90,38 @@ def test_its_trail_is_that_of_the_region_and_fades_towards_the_border(busy):
     assert whole[border].max() > 0.05 and own[border].max() < 0.01
 
 
+@pytest.mark.parametrize("axes", ["zup", "yup"])
+def test_a_wake_is_added_to_the_open_sea_in_the_buffers(busy, axes):
+    channels = [("vx", "vy", "vz"), ("dx", "dy", "height", "trail"), ("slope_x", "jacobian")]
+    normal = [("nx", "ny", "nz", "")]
+    square = busy.wake_domain(0, 1.5)
+    # One corner of the region lies beyond the square.
+    origin = square.origin[0] - 10.0, square.origin[1] - 10.0
+    rng = np.random.default_rng(1)
+
+    def arrays(groups):
+        return [(rng.random((*SHAPE, len(names)), np.float32), names) for names in groups]
+
+    sums, alone, wake_normal = arrays(channels), arrays(channels), arrays(normal)
+    tilted = arrays(normal)
+    tilted[0][0][..., 2 if axes == "zup" else 1] += 3.0
+    before = [array.copy() for array, _ in [*sums, *tilted]]
+    busy.add_wake(0, 1.5, [*sums, *tilted], origin, 3.0 * CELL, axes)
+    busy.fill_wake(0, 1.5, [*alone, *wake_normal], origin, 3.0 * CELL, axes)
+    alone[2][0][..., 1] -= 1.0  # of still water
+    for (found, _), (wake, _), open_sea in zip(sums, alone, before, strict=False):
+        assert np.abs(wake).max() > 0.0
+        assert (found == open_sea + wake).all()
+        assert (found[0] == open_sea[0]).all()
+    up, level = (2, [0, 1]) if axes == "zup" else (1, [0, 2])
+    wake, wanted, found = wake_normal[0][0][..., :3], before[3][..., :3].copy(), tilted[0][0]
+    wanted[..., level] += wanted[..., up, None] * wake[..., level] / wake[..., up, None]
+    wanted /= np.linalg.norm(wanted, axis=-1, keepdims=True)
+    changed = np.abs(wake[..., level]).max(axis=-1) > 0.0
+    assert np.abs(found[..., :3] - wanted)[changed].max() < 1e-6
+    assert (found[..., 3] == before[3][..., 3]).all() and (found[0] == before[3][0]).all()
+
+
 def test_hulls_that_are_not_there_foam_and_masks_are_refused(sea, busy):
     assert sea.wake_count == 0 and busy.wake_count == 2
     with pytest.raises(libocean.InvalidValueError, match="hull = 0; allowed: none"):
@@ -100,3 +132,5 @@ def test_hulls_that_are_not_there_foam_and_masks_are_refused(sea, busy):
     for channel in ("foam", "cover", "whitecap", "depth", "dry"):
         with pytest.raises(libocean.UnsupportedError, match="no foam and no mask but its trail"):
             busy.fill_wake(0, 0.0, [(array, [channel])], ORIGIN, CELL)
+    with pytest.raises(libocean.UnsupportedError, match="nx, ny and nz in one output"):
+        busy.add_wake(0, 0.0, [(array, ["nz"])], ORIGIN, CELL)

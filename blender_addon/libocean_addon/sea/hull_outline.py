@@ -8,6 +8,7 @@ triangles of an object -> segments at each level -> lowest and highest y at each
 from __future__ import annotations
 
 import dataclasses
+import functools
 import json
 
 import numpy as np
@@ -39,8 +40,9 @@ class Outline:
         return made
 
 
+@functools.lru_cache(maxsize=16)
 def read(text: str) -> Outline | None:
-    """Returns the outline of a text; None for an empty one."""
+    """Returns the outline of a text; None for an empty one. It is called at each frame."""
     if not text:
         return None
     told = json.loads(text)

@@ -141,6 +141,12 @@ class SeaPicture(Picture):
         self.is_shared = self.sizes[0] == self.sizes[1]
         self.size = self.sizes[1] if moment.rendering else self.sizes[0]
         self.time, self.channel = time_of(moment, settings, sea), channel_of(settings)
+        self.place, self.turn = (0.0, 0.0), (0.0, 0.0, 0.0)
+        if settings.follow_world:
+            world = self.seen.matrix_world
+            self.place, self.turn = tuple(world.translation[:2]), tuple(world.to_euler("XYZ"))
+        self.is_turned = math.hypot(*self.turn) > field_nodes.SMALLEST_TURN
+        self.vertices = wakes.vertices_of(self)
         self.key = (sea.changes, self.time, self.size, self.channel)
         self.more_follows = settings.use_spray
         self.ends_draft = not moment.rendering
@@ -158,10 +164,12 @@ class SeaPicture(Picture):
         sea.show_draft(self.time, drawn, size, targets, self.channel)
 
     def show_whole(self) -> None:
+        vertices = self.vertices
+        side = self.size if vertices is None else vertices.cells + 1
         targets = _targets(
-            self.ob, self.modifier, self.size, render=self.moment.rendering, shared=self.is_shared
+            self.ob, self.modifier, side, render=self.moment.rendering, shared=self.is_shared
         )
-        self.opened.show(self.time, self.size, targets, self.channel)
+        self.opened.show(self.time, self.size, targets, self.channel, vertices)
 
     def set_inputs(self, *, draft: bool) -> None:
         names = [COVER_POWER, node_group.render_twin(COVER_POWER)]
@@ -190,12 +198,7 @@ def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
     ob, modifier, sizes = picture.ob, picture.modifier, picture.sizes
     settings = ob.libocean
     period = float(picture.opened.values.values["patch_size"])
-    # Only the place within a period counts, and in single precision it counts most near 0.
-    place, turn = (0.0, 0.0), (0.0, 0.0, 0.0)
-    if settings.follow_world:
-        place = picture.seen.matrix_world.translation
-        turn = tuple(picture.seen.matrix_world.to_euler("XYZ"))
-    origin = (place[0] % period, place[1] % period, 0.0)
+    x, y = picture.place
     # A draft in the viewport has fewer samples than are asked for.
     shown = modifier_groups.value(modifier, "Displacement")
     samples = shown.size[0] if shown is not None else sizes[0]
@@ -205,19 +208,20 @@ def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
             "Tile Size": period,
             "Half Texel": 0.5 / samples,
             node_group.render_twin("Half Texel"): 0.5 / sizes[1],
-            "Origin": origin,
-            node_group.WORLD_ORIGIN: (place[0], place[1], 0.0),
-            "Turn": turn,
+            # Only the place within a period counts, and in single precision it counts most near 0.
+            "Origin": (x % period, y % period, 0.0),
+            node_group.WORLD_ORIGIN: (x, y, 0.0),
+            "Turn": picture.turn,
             node_group.ON_SAMPLES: meshes.is_on_samples(ob.data, min(samples, sizes[1])),
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),
             "Use Foam": settings.use_foam,
             "Use Velocity": settings.use_velocity and not draft,
             "Use Normal": settings.use_normal and not draft,
+            **(picture.vertices.inputs() if picture.vertices and not draft else {}),
         },
     )
-    is_turned = math.hypot(*turn) > field_nodes.SMALLEST_TURN
-    wakes.follow(picture, (place[0], place[1]), turned=is_turned, draft=draft)
+    wakes.follow(picture, draft=draft)
     hull_cut.follow(picture)
 
 

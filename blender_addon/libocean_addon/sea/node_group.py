@@ -25,7 +25,7 @@ from ..shared.node_builder import Builder
 from . import hull_nodes, ring_nodes, wake_nodes
 from .ring_nodes import far_image
 
-VERSION = 8
+VERSION = 9
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
 
@@ -207,7 +207,13 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn, interpolation: st
             tilted = field_nodes.tilted(b, normal, b.scale(wake, mask))
         return b.store(stored, "ocean_normal", "FLOAT_VECTOR", turn.to_local(tilted))
 
-    stored = wakes.added(stored, "Normal", with_normal)
+    def with_trail():
+        trailed, both = compat.capture(group, geometry, lookup.color("Normal"))
+        trail = b.number("MULTIPLY", b.alpha(both), 1.0, clamp=True)
+        trailed = b.store(trailed, "trail", "FLOAT", trail)
+        return b.store(trailed, "ocean_normal", "FLOAT_VECTOR", both)
+
+    stored = wakes.in_maps(wakes.added(stored, "Normal", with_normal), with_trail)
     slope_variance = b.number("MULTIPLY", slope_variance, mask)
     stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
     geometry = b.switch("GEOMETRY", inputs["Use Normal"], geometry, stored)

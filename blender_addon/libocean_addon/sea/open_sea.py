@@ -102,6 +102,10 @@ class OpenSea(OpenSubject):
         """Returns the exponent that turns foam into the cover in that channel; 1 for whitecaps."""
         return self.handle.cover_power(at, size) if channel == COVER else 1.0
 
+    def whitecap(self) -> tuple[float, float]:
+        """Returns the Jacobian where whitecaps begin, and by how much less they are whole."""
+        return self.read_state()["foam_threshold"], float(self.values.values["foam_width"])
+
     def has_limits(self) -> bool:
         """Returns whether waves of some lengths are left out."""
         return any(float(self.values.values[name]) > 0.0 for name in _LIMITS)
@@ -133,13 +137,20 @@ class OpenSea(OpenSubject):
         values = self.values.values
         return (channel, *(values[f"foam_{key}"] for key in ("lifetime", "step", "resolution")))
 
-    def show(self, at: float, size: int, targets: dict[str, bpy.types.Image], channel: str) -> None:
+    def show(
+        self,
+        at: float,
+        size: int,
+        targets: dict[str, bpy.types.Image],
+        channel: str,
+        vertices: wakes.Vertices | None = None,
+    ) -> None:
         """Fills these images, by the inputs of the node group, with the maps of a time [s].
-        channel: the channel in place of cover."""
+        channel: the channel in place of cover; vertices: whose sums with wakes the images hold."""
         with self.lock:
             begun = time.perf_counter()
             known = self.ready is not None and self.ready[:2] == (self.changes, size)
-            if self._show(at, size, targets, channel):
+            if self._show(at, size, targets, channel, vertices):
                 if not known:
                     seconds = time.perf_counter() - begun
                     self.took = (self._costs(channel), seconds / size**2)
@@ -152,7 +163,7 @@ class OpenSea(OpenSubject):
         side of the whole map."""
         with self.lock:
             begun = time.perf_counter()
-            if self._show(at, size, targets, QUICK[channel]):
+            if self._show(at, size, targets, QUICK[channel], None):
                 self.pace.note(size, time.perf_counter() - begun, wanted)
 
     def job(self, at: float, size: int, channel: str, *, spray: bool) -> SeaJob:
@@ -198,12 +209,17 @@ class OpenSea(OpenSubject):
         known = self.spray_ready is not None and self.spray_ready[:2] == (self.changes, settings)
         return known and abs(at - self.spray_ready[2]) <= _CHEAP_ADVANCE
 
-    def _show(self, at: float, size: int, targets: dict, channel: str) -> bool:
+    def _show(
+        self, at: float, size: int, targets: dict, channel: str, vertices: wakes.Vertices | None
+    ) -> bool:
         """Fills stale images. Returns whether there were any."""
         state = (self.changes, at, size, channel)
-        stale = self.stale(targets, state)
+        content = state if vertices is None else (*state, vertices, *targets)
+        stale = self.stale(targets, content)
         if not stale:
             return False
+        if vertices is not None:
+            stale = list(targets)
         far = [field for field in CHANNELS if node_group.far_image(field) in stale]
         fields = [field for field in CHANNELS if field in stale or field in far]
         maps = {field: (self.buffer(field, size), _channels(field, channel)) for field in fields}
@@ -219,7 +235,12 @@ class OpenSea(OpenSubject):
             finest = {field: self.buffer(field, size) for field in far}
             atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
             atlas.fill(self.handle, at, size, finest, atlases, self.read_state())
-        self.put(targets, stale, {name: self.buffer(name, size) for name in stale}, state)
+        found = {name: self.buffer(name, size) for name in stale}
+        if vertices is not None:
+            found = vertices.summed(self, at, found)
+            if channel == COVER and "Velocity" in found:
+                wakes.broken(found, *self.whitecap(), self.cover_power(at, size, channel))
+        self.put(targets, stale, found, content)
         return True
 
     def close(self) -> None:

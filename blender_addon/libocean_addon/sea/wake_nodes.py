@@ -19,6 +19,11 @@ COUNT = 4
 FIELDS = {"Displacement": "", "Velocity": " Velocity", "Normal": " Slopes"}
 """The ends of the names of a wake's images, by the sea's field to which they belong."""
 USE = "Use Wakes"
+IN_MAPS = "Wakes in Maps"
+IN_MAPS_HELP = (
+    "The maps of a patch are sums of sea and wakes at its vertices, with the trail as the alpha of "
+    "the normals"
+)
 WHITECAP = "Whitecap"
 _WHITECAP_HELP = (
     "The Jacobian where whitecaps begin, by how much less they are whole, and the exponent that "
@@ -44,6 +49,7 @@ def image_inputs() -> list[str]:
 def declare(group) -> None:
     """The sockets of all wakes."""
     compat.add_socket(group, USE, "NodeSocketBool")
+    compat.add_socket(group, IN_MAPS, "NodeSocketBool", description=IN_MAPS_HELP)
     compat.add_socket(group, WHITECAP, "NodeSocketVector", description=_WHITECAP_HELP)
     for name in image_inputs():
         compat.add_socket(group, name, "NodeSocketImage")
@@ -119,9 +125,18 @@ class Wakes:
         waked = make(waked, vector, alpha)
         return self.b.switch("GEOMETRY", self.inputs[USE], make(geometry), waked)
 
+    def in_maps(self, geometry, make: Callable):
+        """Returns make() if the maps are sums of sea and wakes; else the geometry."""
+        if self.interpolation != "Closest":
+            return geometry
+        return self.b.switch("GEOMETRY", self.inputs[IN_MAPS], geometry, make())
+
 
 class NoWakes:
     """In the place of Wakes: a bake has none."""
 
     def added(self, geometry, _field: str, make: Callable):
         return make(geometry)
+
+    def in_maps(self, geometry, _make: Callable):
+        return geometry

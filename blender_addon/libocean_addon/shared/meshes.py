@@ -160,6 +160,19 @@ def samples_of(mesh) -> int | None:
     return int(words[2]) if words and words[0] == "patch" else None
 
 
+def is_patch(mesh, size: float) -> bool:
+    """Returns whether a mesh is a whole patch of a period [m], whose corners are as made."""
+    samples = samples_of(mesh)
+    if samples is None or made_of(mesh) != _patch_words(size, samples) or mesh.shape_keys:
+        return False
+    ends = ((0, -(samples // 2)), (-1, samples - samples // 2))
+    return len(mesh.vertices) == (samples + 1) ** 2 and all(
+        abs(place * samples / size - cells) < 1e-3
+        for vertex, cells in ends
+        for place in mesh.vertices[vertex].co[:2]
+    )
+
+
 def is_made(data) -> bool:
     """Returns whether the add-on made an object's data, a mesh, or may make it: it is empty yet.
     What a user made is never replaced."""
@@ -217,6 +230,10 @@ def _fill_linked(mesh, make) -> None:
     bpy.data.meshes.remove(local)
 
 
+def _patch_words(size: float, samples: int, tiles: int = 1) -> str:
+    return f"patch {size!r} {samples}" + (f" {tiles}" if tiles > 1 else "")
+
+
 def follow_patch(
     ob,
     size: float,
@@ -242,7 +259,7 @@ def follow_patch(
             fill(mesh, vertices, grid_faces(cells))
         _write_labels(mesh, size, layers)
 
-    made_of = f"patch {size!r} {samples}" + (f" {tiles}" if tiles > 1 else "")
+    made_of = _patch_words(size, samples, tiles)
     follow(ob, draft_of(made_of) if draft else made_of, make)
     is_of_earlier_version = not _is_labelled(ob.data, layers)
     if is_of_earlier_version and ob.data.library is None:

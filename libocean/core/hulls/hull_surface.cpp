@@ -115,11 +115,11 @@ void HullSurface::read(std::span<const WorldPoint> labels, std::span<LabelPoint>
     }
 }
 
-void HullSurface::read_wake(std::size_t hull, std::span<const WorldPoint> labels,
+void HullSurface::read_wake(const Wake::Rows& rows, int j, std::size_t first,
                             std::span<LabelPoint> points) const {
     std::array<LinearWaves<Jet>, RegionPiece<LabelPoint>::kSize> waves;
-    wakes_[hull]->read_line(labels, std::span(waves).first(labels.size()));
-    for (std::size_t i = 0; i < labels.size(); ++i) points[i] = displayed(waves[i]);
+    rows.read(j, first, std::span(waves).first(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = displayed(waves[i]);
 }
 
 LabelPoint HullSurface::displayed(const LinearWaves<Jet>& waves) const {

@@ -52,9 +52,8 @@ class HullSurface {
     void read(std::span<const WorldPoint> labels, std::span<LabelPoint> points,
               bool exact = false) const;
 
-    /// Writes the wake of one hull at each of at most RegionPiece::kSize labels of one y, whose x
-    /// only grow; 0 outside its square.
-    void read_wake(std::size_t hull, std::span<const WorldPoint> labels,
+    /// Writes a wake at no more than RegionPiece::kSize samples of row j, from sample `first` on.
+    void read_wake(const Wake::Rows& rows, int j, std::size_t first,
                    std::span<LabelPoint> points) const;
 
     double time() const { return time_; }

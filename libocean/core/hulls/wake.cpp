@@ -31,10 +31,6 @@ double longest_span(const WakeSize& size, const Hull& hull) {
 }
 
 /// Returns the factor of one axis, with its slope as the first of the jet's derivatives.
-struct RimFactor {
-    double value;
-    double slope;  // [1/m]
-};
 RimFactor rim_factor(double offset, double side) {
     const double share = std::abs(offset) / side;
     const double u = (share - kRimBegin) / (kRimEnd - kRimBegin);
@@ -197,6 +193,16 @@ bool Wake::holds(double x, double y) const {
     return std::abs(x - past_.place.centre.x) < half && std::abs(y - past_.place.centre.y) < half;
 }
 
+std::array<int, 2> Wake::samples(const Domain& domain, std::size_t axis) const {
+    const double half = kRimEnd * size_.side;
+    const double centre = axis == 0 ? past_.place.centre.x : past_.place.centre.y;
+    const auto number = [&](double place) {
+        const double at = std::floor((place - domain.origin[axis]) / domain.step(axis));
+        return static_cast<int>(std::clamp(at + 1.0, 0.0, double(domain.samples[axis])));
+    };
+    return {number(centre - half), number(centre + half)};
+}
+
 double Wake::share_at(double x, double y) const {
     return rim_factor(x - past_.place.centre.x, size_.side).value *
            rim_factor(y - past_.place.centre.y, size_.side).value;
@@ -215,16 +221,38 @@ LinearWaves<Jet> Wake::read(double x, double y) const {
     return within_rim(map_.read<Jet>(u, v), rim_factor(u, size_.side), rim_factor(v, size_.side));
 }
 
-void Wake::read_line(std::span<const WorldPoint> labels, std::span<LinearWaves<Jet>> waves) const {
-    std::ranges::fill(waves, LinearWaves<Jet>{});
-    const double v = labels.front().y - past_.place.centre.y;
-    if (std::abs(v) >= kRimEnd * size_.side) return;
-    const RimFactor across = rim_factor(v, size_.side);
-    OpenSurface::Line line(map_, v);
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const double u = labels[i].x - past_.place.centre.x;
-        if (std::abs(u) >= kRimEnd * size_.side) continue;
-        waves[i] = within_rim(line.read(u), rim_factor(u, size_.side), across);
+std::vector<double> Wake::Rows::columns(const Wake& wake, const Domain& domain) {
+    const auto [begin, end] = wake.samples(domain, 0);
+    std::vector<double> x;
+    for (int i = begin; i < end; ++i)
+        x.push_back(domain.place(i, 0)[0] - wake.past_.place.centre.x);
+    return x;
+}
+
+Wake::Rows::Rows(const Wake& wake, const Domain& domain)
+    : wake_(wake),
+      domain_(domain),
+      begin_(static_cast<std::size_t>(wake.samples(domain, 0)[0])),
+      lines_(wake.map_, columns(wake, domain)) {
+    for (const double x : columns(wake, domain)) rims_.push_back(rim_factor(x, wake.size_.side));
+}
+
+void Wake::Rows::read(int j, std::size_t first, std::span<LinearWaves<Jet>> waves) const {
+    const double y = domain_.place(0, j)[1] - wake_.past_.place.centre.y;
+    const double side = wake_.size_.side;
+    const std::size_t end = std::abs(y) < kRimEnd * side ? begin_ + rims_.size() : begin_;
+    const std::size_t from = std::clamp(begin_, first, first + waves.size());
+    const std::size_t to = std::clamp(end, from, first + waves.size());
+    std::ranges::fill(waves.first(from - first), LinearWaves<Jet>{});
+    std::ranges::fill(waves.subspan(to - first), LinearWaves<Jet>{});
+    const RimFactor across = rim_factor(y, side);
+    const auto found = waves.subspan(from - first, to - from);
+    lines_.read(y, from - begin_, found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const RimFactor along = rims_[from - begin_ + i];
+        if (along.value < 1.0 || across.value < 1.0) {
+            found[i] = within_rim(found[i], along, across);
+        }
     }
 }
 

@@ -5,6 +5,8 @@
 // does not wrap. Its height, displacement and rates are added to the open sea's at the same label.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +17,7 @@
 #include "hulls/wake_lattice.hpp"
 #include "hulls/wake_nodes.hpp"
 #include "hulls/wake_turns.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/internal/modes.hpp"
 #include "ocean/internal/wave_sum.hpp"
 #include "ocean/page_vector.hpp"
@@ -25,6 +28,12 @@
 namespace ocean {
 
 class ThreadPool;
+
+/// The share of the waves that the rim leaves along one axis.
+struct RimFactor {
+    double value;
+    double slope;  // [1/m]
+};
 
 class Wake {
   public:
@@ -46,15 +55,16 @@ class Wake {
 
     /// Returns true if the square holds a label.
     bool holds(double x, double y) const;
+    /// Returns the first sample of a domain along an axis that the square may hold, and the end.
+    std::array<int, 2> samples(const Domain& domain, std::size_t axis) const;
     /// Returns the share of the waves that the rim leaves at a label, 0 .. 1.
     double share_at(double x, double y) const;
     /// Returns the share of a trail that is shown at a label: it falls to 0 towards the border.
     double trail_share_at(WorldPoint label) const;
     /// Returns the waves at a label of the square; 0 at its rim. Several threads may read at once.
     LinearWaves<Jet> read(double x, double y) const;
-    /// Writes the waves, without choppiness, at labels of one y whose x only grow; 0 outside the
-    /// square. prepare() must have made the maps there.
-    void read_line(std::span<const WorldPoint> labels, std::span<LinearWaves<Jet>> waves) const;
+    /// Reads the waves at the samples of a domain. prepare() must have made the maps there.
+    class Rows;
     /// Returns the same from a sum over all waves in double precision.
     LinearWaves<Jet> read_exactly(double x, double y) const;
     /// Makes the sums of this time for read_exactly.
@@ -99,6 +109,26 @@ class Wake {
     WakeTurns turns_;
     double farthest_ = 0.0;
     std::optional<WaveSum> sum_;
+};
+
+/// Reads row by row. The wake must live longer, at the same time.
+class Wake::Rows {
+  public:
+    Rows(const Wake& wake, const Domain& domain);
+
+    /// Writes the waves, without choppiness, of samples of row j, from sample `first` on; 0 outside
+    /// the square. Several threads may read at once.
+    void read(int j, std::size_t first, std::span<LinearWaves<Jet>> waves) const;
+
+  private:
+    /// Returns the places of the columns in the square, from its centre.
+    static std::vector<double> columns(const Wake& wake, const Domain& domain);
+
+    const Wake& wake_;
+    Domain domain_;
+    std::size_t begin_;            // the first column in the square
+    std::vector<RimFactor> rims_;  // of columns in the square
+    OpenSurface::Lines lines_;
 };
 
 }  // namespace ocean

@@ -116,6 +116,11 @@ class Ocean {
     /// and unsupported for foam and masks.
     void wake_into(std::size_t hull, double time, const Domain& domain,
                    std::span<const MapOutput> outputs);
+    /// Adds that wake to the fields of the open sea in a host's buffers, which are sums then; that
+    /// of its jacobian, and normals, to first order. Each normal must be whole in one output.
+    /// Throws as wake_into(), and unsupported for a part of a normal.
+    void add_wake(std::size_t hull, double time, const Domain& domain,
+                  std::span<const MapOutput> outputs);
     /// Computes now what the first region or query of a sea that does not repeat would compute.
     /// Throws as region().
     void prepare_coast();

@@ -440,6 +440,7 @@ ARGUMENTS: dict[str, list[Any]] = {
     "ocean_wake_count": [c_void_p, POINTER(c_size_t)],
     "ocean_wake_domain": [c_void_p, c_size_t, c_double, POINTER(Domain)],
     "ocean_wake_region": [c_void_p, c_size_t, c_double, POINTER(RegionRequest)],
+    "ocean_wake_add": [c_void_p, c_size_t, c_double, POINTER(RegionRequest)],
     "ocean_find_crest": [c_void_p, c_double, c_double, POINTER(c_double), POINTER(Crest)],
     "ocean_farm_job_json": [c_void_p, POINTER(FarmRequest), c_char_p, POINTER(c_size_t)],
 }

@@ -116,6 +116,22 @@ class Sea(Maps, Queries):
         at = number("time", time)
         self._call("ocean_wake_region", whole("hull", hull, 0), at, ctypes.byref(request))
 
+    def add_wake(
+        self,
+        hull: int,
+        time: float,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        origin: tuple[float, float],
+        cell: float,
+        axes: str = "zup",
+    ) -> None:
+        """Adds the wake of a hull to a region of the open sea that the buffers hold; they are as
+        those of fill_wake(). Channels that add up, and "trail", are sums then; "jacobian" is one to
+        first order, and normals, whole in one buffer, are tilted to first order."""
+        request = region_request(origin, cell, region_buffers(buffers), axes)
+        at = number("time", time)
+        self._call("ocean_wake_add", whole("hull", hull, 0), at, ctypes.byref(request))
+
     def bed_region(
         self, origin: tuple[float, float], samples: tuple[int, int], cell: float
     ) -> Array:

@@ -94,7 +94,7 @@ void RegionChannels::write_row(const Domain& domain, int j, ReadySums ready,
     const auto own = [&](const Piece& piece, const RegionTarget& target) {
         write_own(piece, target);
     };
-    write_region_row<ShorePoint>(domain, j, channels_, outputs, read, own);
+    write_region_row<ShorePoint>(domain, j, {0, domain.samples[0]}, channels_, outputs, read, own);
 }
 
 void RegionChannels::write_own(const Piece& piece, const RegionTarget& target) const {

@@ -22,18 +22,20 @@ inline float label_jacobian(const LabelPoint& point) {
     return (1.0f + point.dx.by_x()) * (1.0f + point.dy.by_y()) - point.dx.by_y() * point.dy.by_x();
 }
 
-/// Returns the unit normal of the displayed surface at a label, on the side seen from above.
-inline std::array<float, 3> label_normal(const LabelPoint& point) {
-    // The cross product of the tangents along x and y.
+/// Returns the cross product of the tangents of the displayed surface along x and y.
+inline std::array<float, 3> label_cross(const LabelPoint& point) {
     const float xx = 1.0f + point.dx.by_x();
     const float yx = point.dy.by_x();
     const float zx = point.height.by_x();
     const float xy = point.dx.by_y();
     const float yy = 1.0f + point.dy.by_y();
     const float zy = point.height.by_y();
-    const float nx = yx * zy - zx * yy;
-    const float ny = zx * xy - xx * zy;
-    const float nz = xx * yy - yx * xy;
+    return {yx * zy - zx * yy, zx * xy - xx * zy, xx * yy - yx * xy};
+}
+
+/// Returns the unit normal of the displayed surface at a label, on the side seen from above.
+inline std::array<float, 3> label_normal(const LabelPoint& point) {
+    const auto [nx, ny, nz] = label_cross(point);
     const float length = std::sqrt(nx * nx + ny * ny + nz * nz);
     if (!(length > 0.0f)) return {0.0f, 0.0f, 1.0f};
     const float scale = (nz < 0.0f ? -1.0f : 1.0f) / length;

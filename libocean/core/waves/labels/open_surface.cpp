@@ -105,13 +105,18 @@ LinearWaves<Jet> OpenSurface::read(double x, double y) const {
                        rates_ ? maps_->velocity->value(u, v) : SplineValue{});
 }
 
-OpenSurface::Line::Line(const OpenSurface& surface, double y)
-    : position_(surface.maps_->position, y) {
-    if (surface.rates_) velocity_.emplace(*surface.maps_->velocity, y);
-}
-
-LinearWaves<Jet> OpenSurface::Line::read(double x) {
-    return from_spline(position_.jet(x), velocity_ ? velocity_->value(x) : SplineValue{});
+void OpenSurface::Lines::read(double y, std::size_t first,
+                              std::span<LinearWaves<Jet>> waves) const {
+    const Maps& maps = *surface_.maps_;
+    const SplineMap* const rates = surface_.rates_ ? &*maps.velocity : nullptr;
+    using Fields = SplineMap::Fields;
+    places_.read(maps.position, rates, y, first, waves.size(),
+                 [&](std::size_t i, Fields value, Fields by_x, Fields by_y, Fields rate) {
+                     const auto jet = [&](int field) {
+                         return Jet(Quad{value[field], by_x[field], by_y[field], rate[field]});
+                     };
+                     waves[i] = {jet(2), jet(0), jet(1)};
+                 });
 }
 
 template <>

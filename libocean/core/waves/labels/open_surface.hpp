@@ -5,8 +5,10 @@
 // splines that are fine enough for a stated error.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include "field/jet.hpp"
@@ -72,8 +74,8 @@ class OpenSurface {
     /// may read at once. Throws Error invalid_value if no time has begun.
     template <typename Scalar>
     LinearWaves<Scalar> read(double x, double y) const;
-    /// Reads the waves along a line of one y. prepare() must have made the strips there.
-    class Line;
+    /// Reads the waves along lines of one y each. prepare() must have made the strips there.
+    class Lines;
     /// Returns the rms error of heights [m]: aliases of the shortest waves.
     double height_error() const { return height_error_; }
 
@@ -102,17 +104,20 @@ class OpenSurface {
     bool rates_ = false;
 };
 
-/// Reads at places x that only grow. The surface must live longer, at the same time.
-class OpenSurface::Line {
+/// Reads at places x that all lines share and that only grow. The surface must live longer, at the
+/// same time.
+class OpenSurface::Lines {
   public:
-    /// y, and the smallest x, must lie within half a period of 0.
-    Line(const OpenSurface& surface, double y);
+    /// x, and each y, must lie within half a period of 0.
+    Lines(const OpenSurface& surface, std::span<const double> x)
+        : surface_(surface), places_({surface.samples_, surface.period_}, x) {}
 
-    LinearWaves<Jet> read(double x);
+    /// Writes the waves at places of a line, from place `first` on.
+    void read(double y, std::size_t first, std::span<LinearWaves<Jet>> waves) const;
 
   private:
-    SplineMap::Line position_;
-    std::optional<SplineMap::Line> velocity_;
+    const OpenSurface& surface_;
+    SplineMap::Lines places_;
 };
 
 template <>

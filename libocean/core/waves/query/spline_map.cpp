@@ -57,6 +57,16 @@ SplineMap::SplineMap(Lattice lattice, ThreadPool& pool)
     prefault_pages(texels_, pool);
 }
 
+SplineMap::Lines::Lines(Lattice lattice, std::span<const double> x) {
+    const double per_metre = lattice.resolution / lattice.period;
+    for (const double place : x) {
+        const double u = place * per_metre;
+        const long long i = floor_index(u);
+        const auto offset = static_cast<float>(u - static_cast<double>(i));
+        places_.push_back({i - 1, b_spline(offset), b_spline_slopes(offset)});
+    }
+}
+
 MapOutput SplineMap::output(const std::array<Quantity, kFields>& quantities) {
     MapOutput output{reinterpret_cast<float*>(texels_.data()), kFields, {}};
     for (std::size_t c = 0; c < kFields; ++c) output.component[c].quantity = quantities[c];

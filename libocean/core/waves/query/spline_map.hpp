@@ -17,11 +17,11 @@
 // limits. query_test.cpp proves it.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "field/cubic.hpp"
 #include "ocean/internal/grid.hpp"
@@ -88,12 +88,12 @@ class SplineMap {
     /// sixteen.
     SplineJet jet_of_sample(int i, int j) const;
 
-    /// Reads along a line of one y: what its four rows add up to is kept for each column.
-    class Line;
-
-  private:
+    /// Reads at places x of many lines.
+    class Lines;
     /// The fields lie side by side, so that a point touches few cache lines.
     using Fields = float __attribute__((vector_size(kFields * sizeof(float))));
+
+  private:
     struct Place {
         std::array<const Fields*, 4> row;
         std::array<std::size_t, 4> column;
@@ -195,78 +195,71 @@ inline SplineJet SplineMap::jet_of_sample(int i, int j) const {
                     kSide * (slope[0] + slope[2]) + kMiddle * slope[1]);
 }
 
-/// The values at a line of one y, read at places x that only grow. The map must live longer.
-class SplineMap::Line {
+/// Reads along lines of one y each, at places x that they share and that only grow: what the four
+/// rows of a line add up to is kept for each column.
+class SplineMap::Lines {
   public:
-    Line(const SplineMap& map, double y)
-        : map_(map),
-          weights_(b_spline(map.place(0.0, y).y)),
-          slopes_(b_spline_slopes(map.place(0.0, y).y)),
-          rows_(map.place(0.0, y).row),
-          columns_(std::make_unique_for_overwrite<Column[]>(
-              static_cast<std::size_t>(map.lattice_.resolution))) {}
+    Lines(Lattice lattice, std::span<const double> x);
 
-    SplineValue value(double x) {
-        const auto [first, weights, unused] = begin(x);
-        Fields sum{};
-        for (int a = 0; a < 4; ++a) sum += weights[at(a)] * column(first + a).value;
-        return {{sum[0], sum[1], sum[2], sum[3]}};
-    }
-    SplineJet jet(double x) {
-        const auto [first, weights, offset] = begin(x);
-        const std::array<float, 4> slopes = b_spline_slopes(offset);
-        Fields sum{};
-        Fields by_x{};
-        Fields by_y{};
-        for (int a = 0; a < 4; ++a) {
-            const Column& along = column(first + a);
-            sum += weights[at(a)] * along.value;
-            by_x += slopes[at(a)] * along.value;
-            by_y += weights[at(a)] * along.by_y;
-        }
-        return map_.jet_from(sum, by_x, by_y);
-    }
+    /// Has write(i, value, by_x, by_y, rate) take the fields of `map` and their slopes, and the
+    /// fields of `rates`, 0 without it, at each of `count` places, i = 0 .. count - 1, beginning
+    /// with place `first` of a line. The maps must be of the lattice.
+    template <typename Write>
+    void read(const SplineMap& map, const SplineMap* rates, double y, std::size_t first,
+              std::size_t count, const Write& write) const;
 
   private:
+    struct Along {
+        long long column;  // the first
+        std::array<float, 4> weights;
+        std::array<float, 4> slopes;
+    };
     struct Column {
         Fields value;
         Fields by_y;  // per sample
+        Fields rate;
     };
-    struct Begun {
-        long long first;  // column
-        std::array<float, 4> weights;
-        float offset;  // within the cell, 0 .. 1
-    };
-    static std::size_t at(int a) { return static_cast<std::size_t>(a); }
-    std::size_t index(long long column) const {
-        return static_cast<std::size_t>(column & (map_.lattice_.resolution - 1));
-    }
-    const Column& column(long long number) const { return columns_[index(number)]; }
 
-    /// Makes the columns around x that are missing.
-    Begun begin(double x) {
-        const double u = x * map_.per_metre_;
-        const long long i = floor_index(u);
-        for (end_ = std::max(end_, i - 1); end_ < i + 3; ++end_) {
-            const std::size_t to = index(end_);
-            Column made{};
-            for (std::size_t j = 0; j < 4; ++j) {
-                const Fields texel = rows_[j][to];
-                made.value += weights_[j] * texel;
-                made.by_y += slopes_[j] * texel;
-            }
-            columns_[to] = made;
-        }
-        const auto offset = static_cast<float>(u - static_cast<double>(i));
-        return {i - 1, b_spline(offset), offset};
-    }
-
-    const SplineMap& map_;
-    std::array<float, 4> weights_;
-    std::array<float, 4> slopes_;
-    std::array<const Fields*, 4> rows_;
-    std::unique_ptr<Column[]> columns_;
-    long long end_ = std::numeric_limits<long long>::min();  // the first column that is missing
+    std::vector<Along> places_;
 };
+
+template <typename Write>
+void SplineMap::Lines::read(const SplineMap& map, const SplineMap* rates, double y,
+                            std::size_t first, std::size_t count, const Write& write) const {
+    if (count == 0) return;
+    const std::span<const Along> places = std::span(places_).subspan(first, count);
+    const long long begin = places.front().column;
+    const long long mask = map.lattice_.resolution - 1;
+    const Place line = map.place(0.0, y);
+    const Place rate_line = rates != nullptr ? rates->place(0.0, y) : line;
+    const std::array<float, 4> weights = b_spline(line.y);
+    const std::array<float, 4> slopes = b_spline_slopes(line.y);
+    const auto size = static_cast<std::size_t>(places.back().column + 4 - begin);
+    const auto columns = std::make_unique_for_overwrite<Column[]>(size);
+    for (std::size_t c = 0; c < size; ++c) {
+        const auto at = static_cast<std::size_t>((begin + static_cast<long long>(c)) & mask);
+        Column made{};
+        for (std::size_t j = 0; j < 4; ++j) {
+            const Fields texel = line.row[j][at];
+            made.value += weights[j] * texel;
+            made.by_y += slopes[j] * texel;
+            if (rates != nullptr) made.rate += weights[j] * rate_line.row[j][at];
+        }
+        columns[c] = made;
+    }
+    const auto scale = static_cast<float>(map.per_metre_);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Along& along = places[i];
+        const Column* const from = columns.get() + (along.column - begin);
+        Fields value{}, by_x{}, by_y{}, rate{};
+        for (std::size_t a = 0; a < 4; ++a) {
+            value += along.weights[a] * from[a].value;
+            by_x += along.slopes[a] * from[a].value;
+            by_y += along.weights[a] * from[a].by_y;
+            rate += along.weights[a] * from[a].rate;
+        }
+        write(i, value, scale * by_x, scale * by_y, rate);
+    }
+}
 
 }  // namespace ocean
