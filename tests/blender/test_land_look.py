@@ -193,6 +193,34 @@ def test_relief_is_seen_near_the_eye_and_is_its_mean_from_afar(tmp_path, seen, s
     assert contrast(taken(studio, tmp_path)) < 0.01
 
 
+def test_waves_of_the_land_are_seen_where_the_mesh_is_too_coarse(tmp_path, studio):
+    """In the light of a low sun, without the relief of covers."""
+    ob = plane(60.0, 2)
+    ob.data.materials.append(material.make({**GRASS, "Relief": 0.0, "Pixel Angle": 0.0001}))
+    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
+    studio.collection.objects.link(sun)
+    sun.rotation_euler, sun.data.energy = (0.9, 0.0, 0.0), 3.0
+    studio.render.resolution_x = studio.render.resolution_y = 64
+    (ground,) = material.grounds(ob)
+    ground.inputs["Noise Amount"].default_value = 0.0
+    ground.inputs["Land Slope"].default_value = 0.2
+    studio.camera.location.z, studio.camera.data.ortho_scale = 100.0, 60.0
+    found = []
+    for angle in (0.0, 0.005, 0.05):  # cells of 0, 0.5 and 5 m
+        ground.inputs["Mesh Angle"].default_value = angle
+        found.append(contrast(taken(studio, tmp_path)))
+    assert max(found[:2]) < 0.02 and found[2] > 0.1
+
+
+def test_a_scene_of_land_says_how_coarse_its_mesh_is():
+    bpy.ops.libocean.add_terrain_scene()
+    ob = bpy.context.object
+    (ground,) = material.grounds(ob)
+    assert ground.inputs["Mesh Angle"].default_value == pytest.approx(0.00915)
+    slope = library_of(ob).state["rms_slope"]["asked"]
+    assert ground.inputs["Land Slope"].default_value == pytest.approx(0.22 * slope, rel=1e-4)
+
+
 def test_relief_breaks_the_edge_of_a_cover_and_keeps_its_share(tmp_path, seen, studio):
     """Snow of half a share all over lies in patches near the eye, and covers half of the ground."""
     ob = plane(60.0, 2)

@@ -273,8 +273,8 @@ class AddTerrainScene(_Scene, bpy.types.Operator):
         return framing.relief_eye(framing.of_terrain(terrain_of(ob.name_full).handle))
 
     def finish(self, context, ob) -> None:
-        terrain_material.give(ob, context.scene.world, visibility=_CLEAR)
         ob.libocean_terrain.use_lod = True
+        terrain_material.give(ob, context.scene.world, visibility=_CLEAR)
 
 
 CLASSES = (AddScene, AddCoastScene, AddTerrainScene)

@@ -73,7 +73,7 @@ def _declare(group) -> None:
         "Bed Colour",
         "Color",
         (*_BED, 1.0),
-        "Of the ground below shallow water, where the attribute depth tells how deep it is",
+        "Colour of the ground below shallow water, by the attribute depth",
     )
     number("Foam Amount", 1.0, 0.0, 10.0, "How much of the attribute cover is shown; 0: none")
     number(

@@ -4,6 +4,7 @@
 
 place -> grain of five wavelengths, each left out where a pixel holds it -> edges of covers
 grain, steepness of the cover -> normal, and less light in the hollows
+waves of the land that a mesh around the camera lacks at its distance -> normal
 """
 
 from __future__ import annotations
@@ -42,7 +43,28 @@ NUMBERS = (
         1.0,
         "Angle of a pixel of the picture, in radians: finer relief is left out. 0: never",
     ),
+    (
+        "Land Slope",
+        0.0,
+        0.0,
+        10.0,
+        "Slope of each wave of the land itself, of 64, 16 and 4 m, where the mesh is too coarse "
+        "for it",
+    ),
+    (
+        "Mesh Angle",
+        0.0,
+        0.0,
+        1.0,
+        "Cell of the mesh over its distance to the camera; 0: it has all waves of the land",
+    ),
 )
+_LONGEST = 64.0
+"""[m] Of the waves of the land."""
+_LACKS = (0.2, 0.5)
+"""The cells of a wavelength, inverted, between which the mesh loses it."""
+_SLOPE = 1.7
+"""The deviation of the slope of grain of steepness 1 along an axis."""
 _STEP = 0.15
 """The wavelengths between two places whose difference is a slope."""
 _CONTRAST = 4.8  # Blender's noise has a deviation of about 0.13 around 0.5
@@ -107,11 +129,20 @@ class Grain:
         place = t.node("ShaderNodeTexCoord").outputs["Object"]
         self.side = water_shader.footprint(t, inputs["Pixel Angle"])
         self.waves = []
-        for length in WAVELENGTHS:
+        for length in (_LONGEST, *WAVELENGTHS):
             value = t.node("ShaderNodeValue").outputs[0]
             value.default_value = length
             given = (place, self.along, self.across, self.side, value)
             self.waves.append(t.nested("ground grain", _wave, *given))
+        self.longest = self.waves.pop(0)
+        distance = t.node("ShaderNodeCameraData").outputs["View Distance"]
+        cell = t.number("MULTIPLY", distance, inputs["Mesh Angle"])
+        slope = t.number("MULTIPLY", inputs["Land Slope"], 1.0 / _SLOPE)
+        self.of_land = [
+            t.number("MULTIPLY", slope, t.eased(*(share * length for share in _LACKS), cell))
+            for length in (_LONGEST, *WAVELENGTHS[:2])
+        ]
+        """The steepness of each wave of the land that the mesh lacks."""
         self.moves = t.number("MULTIPLY", self._sum(t, 0, _BREAKS), self.amount)
         finest = t.number("DIVIDE", self.side, WAVELENGTHS[1])
         seen = t.number("SUBTRACT", 1.0, t.eased(*_FADE, finest))
@@ -156,6 +187,8 @@ class Grain:
         weights = (coarse, coarse, middle, fine, fine)
         light = t.number("MULTIPLY_ADD", self._sum(t, 0, weights, waves), _DARK, 1.0)
         light = t.number("MINIMUM", t.number("MAXIMUM", light, 0.25), 1.75)
-        slopes = [self._sum(t, part, weights, waves) for part in (1, 2)]
+        own = [t.number("ADD", coarse, land) for land in self.of_land[1:]]
+        weights = (self.of_land[0], *own, *weights[2:])
+        slopes = [self._sum(t, part, weights, [self.longest, *waves]) for part in (1, 2)]
         tilt = t.math("ADD", t.scale(self.along, slopes[0]), t.scale(self.across, slopes[1]))
         return t.scale(colour, light), t.math("NORMALIZE", t.math("SUBTRACT", self.normal, tilt))

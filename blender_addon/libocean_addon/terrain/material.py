@@ -21,6 +21,10 @@ from .terrain_text import TerrainValues
 _RELIEF = 185.0  # [m] rms height of the land for which the widths of the sockets were chosen
 _SWASH = 0.5  # [m] over still water, up to which waves wet the sand
 _DRY = 0.75  # share of dry grass far above the forest
+_CAMERA_CELL = 0.0183  # 1 / m: cell of a mesh around the camera over spacing and distance
+_WAVE_SLOPE = 0.22
+"""Along an axis, of the waves of two octaves, over the rms slope of a land whose twenty octaves,
+from 16 km to 15 mm, are alike."""
 _NOISE_SHARE = 1.0 / 15.0  # of the tile: the largest scale of the noise
 
 
@@ -52,6 +56,12 @@ def look_of(state: dict, water: float | None = None) -> dict[str, float]:
         "Hollow Snow": 260.0 * relief,
         "Noise Size": _NOISE_SHARE * (state["period"] or max(state["size"])),
     }
+
+
+def camera_look(state: dict, spacing: float) -> dict[str, float]:
+    """Returns the sockets for a mesh around the camera with that spacing [m]."""
+    slope = _WAVE_SLOPE * state["rms_slope"]["asked"]
+    return {"Land Slope": slope, "Mesh Angle": _CAMERA_CELL * spacing}
 
 
 def water_of(values: TerrainValues) -> float | None:
@@ -107,7 +117,10 @@ def give(ob, world, *, visibility: float = 0.0) -> None:
     terrain = terrain_of(ob.name_full)
     values = {}
     if terrain.handle is not None:
-        values = look_of(terrain.state_for_look(), water_of(terrain.values))
+        state = terrain.state_for_look()
+        values = look_of(state, water_of(terrain.values))
+        if ob.libocean_terrain.use_lod:
+            values |= camera_look(state, ob.libocean_terrain.lod_spacing)
     assign(ob, make({**values, "Visibility": visibility}))
     follow_scene(ob, world)
 
