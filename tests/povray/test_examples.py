@@ -12,7 +12,7 @@ EXAMPLES = sorted((ROOT / "povray_macros" / "examples").glob("*.pov"))
 
 def test_every_example_renders(tmp_path):
     done = subprocess.run(
-        ["scripts/povray-examples", "--output", str(tmp_path), "--size", "32x18"],
+        ["scripts/povray-examples", "--output", str(tmp_path), "--size", "32x18", "--coarse"],
         cwd=ROOT,
         capture_output=True,
         text=True,
