@@ -12,6 +12,7 @@ from conftest import Folder, sea_text, surface
 CELL, CELLS = 1.35, 128  # [m]: of the map of the preset beaufort_6
 SIDE = CELL * CELLS
 WIDTH, HEIGHT, ANGLE = 1280, 720, 60.0
+COLUMNS = slice(WIDTH // 4, 3 * WIDTH // 4)  # that are rendered
 FOCUS = 0.5 * WIDTH / numpy.tan(numpy.radians(0.5 * ANGLE))  # pixels
 
 
@@ -31,7 +32,7 @@ def height_between(heights, x, z):
 
 def skyline(heights, eye, heading):
     """Returns the sea's own skyline in pixels above the middle row, and its distance [m]."""
-    across = numpy.arange(WIDTH) + 0.5 - 0.5 * WIDTH
+    across = (numpy.arange(WIDTH) + 0.5 - 0.5 * WIDTH)[COLUMNS]
     bearing = heading - numpy.arctan(across / FOCUS)
     away = numpy.concatenate([numpy.arange(0.5, 20, 0.01), numpy.arange(20, 0.95 * SIDE, 0.04)])
     place = away[:, None] * numpy.stack([numpy.cos(bearing), numpy.sin(bearing)])[:, None, :]
@@ -56,10 +57,11 @@ camera {{ location Eye right x*image_width/image_height angle {ANGLE} look_at Ta
 background {{ rgb 1 }}
 object {{ Ocean_View(Eye, Target, {ANGLE}, 1) pigment {{ rgb 0 }} }}""",
         *("+A0.1", "+AM1", "+R3", f"+SR{HEIGHT // 2 - rows + 1}", f"+ER{HEIGHT // 2 + rows}"),
+        *(f"+SC{COLUMNS.start + 1}", f"+EC{COLUMNS.stop}"),
         width=WIDTH,
         height=HEIGHT,
     )[..., 0]
-    part = white[HEIGHT // 2 - rows : HEIGHT // 2 + rows]
+    part = white[HEIGHT // 2 - rows : HEIGHT // 2 + rows, COLUMNS]
     seen = rows - part.sum(0)
     # Farther than a period the sea is another one.
     far = FOCUS * (numpy.abs(heights).max() - eye[1]) / (0.9 * SIDE)
