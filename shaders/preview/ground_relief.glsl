@@ -13,8 +13,8 @@
 const int relief_waves = 5;
 const int first_relief = 4;  // of the sizes of the cover noise, whose cells are wavelengths
 
-// Steepness of each cover: of the two longest waves, of that of 1 m, and of the two shortest; and the
-// share of its waves that are stones, round above clefts.
+// Steepness of each cover: of the two longest waves, of that of 1 m, and of the two shortest; and
+// the share of its waves that are stones, round above clefts.
 const vec4 grass_relief = vec4(0.08, 0.22, 0.40, 0.0);
 const vec4 forest_relief = vec4(0.30, 0.30, 0.20, 0.0);
 const vec4 scree_relief = vec4(0.20, 0.30, 0.36, 1.0);
