@@ -145,23 +145,6 @@ def test_the_probe_is_the_query(folder):
     assert list(map(float, flat)) == pytest.approx([1, 2, 0, 0, 0, 0, 0], abs=1e-9)
 
 
-FIELDS = ["height", "normal", "slope", "jacobian", "whitecap", "foam"]
-
-
-@pytest.fixture(scope="module")
-def fields(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("fields")
-    (folder / "sea.toml").write_text(SEA)
-    lines = {"shaded.png": ""} | {f"{view}.png": f"--view {view}" for view in FIELDS}
-    return pictures(folder, lines, "sea.toml", "--set", "wind_speed=18", "--size", "160x90",
-                    "--eye", "0,0,40", "--pitch", "-50")  # fmt: skip
-
-
-@pytest.mark.parametrize("view", FIELDS)
-def test_views_are_other_pictures(fields, view):
-    assert rms(fields["shaded.png"], fields[f"{view}.png"]) > 0.1
-
-
 def test_pictures_of_a_list_are_those_of_single_runs(folder):
     (folder / "list.txt").write_text(
         "# views of one moment, and another one\n"
