@@ -132,8 +132,12 @@ def test_a_broken_law_has_a_few_parameters(ocean, bed):
     assert any("the table law follows the rings" in warning for warning in one["warnings"])
 
 
-def test_the_plot_shows_spectrum_and_relief(ocean, bed):
-    ocean.good("terrain fit", bed, "--plot", "fit.png", "--seeds", "4", "-q")
+def test_the_report_can_be_read_and_the_plot_shows_spectrum_and_relief(ocean, bed):
+    plot = ("terrain fit", bed, "--plot", "fit.png", "--seeds", "4")
+    lines = ocean.good(*plot).splitlines()
+    assert lines[0].startswith("model    403 x 344 cells, 30.05 km x 31.81 km")
+    assert any(line.startswith("slope 99 %") for line in lines)
+    assert max(len(line) for line in lines) <= 80
     image = OpenImageIO.ImageBuf(str(ocean.folder / "fit.png"))
     pixels = image.get_pixels()[:, :, :3]
     height, width = pixels.shape[:2]
@@ -142,18 +146,9 @@ def test_the_plot_shows_spectrum_and_relief(ocean, bed):
     right = pixels[150:900, int(0.78 * width) : int(0.95 * width)]
     assert len(numpy.unique((255 * right[..., 0]).round())) > 60
     assert (pixels[150:650, 200 : width // 2] > 0.8).all(axis=2).mean() > 0.8
-    ocean.good("terrain fit", bed, "--plot", "fit.png", "--seeds", "4", "-q")  # its own
+    ocean.good(*plot, "-q")  # its own
     (ocean.folder / "fit.png").write_bytes(b"\x89PNG mine")
-    assert "'fit.png' exists" in ocean.bad("terrain fit", bed, "--plot", "fit.png")
-
-
-def test_the_report_can_be_read(ocean, bed):
-    done = ocean("terrain fit", bed, "--seeds", "4")
-    assert done.returncode == 0
-    lines = done.stdout.splitlines()
-    assert lines[0].startswith("model    403 x 344 cells, 30.05 km x 31.81 km")
-    assert any(line.startswith("slope 99 %") for line in lines)
-    assert max(len(line) for line in lines) <= 80
+    assert "'fit.png' exists" in ocean.bad(*plot)
 
 
 def test_land_that_cannot_be_fitted_is_a_sentence(ocean):
