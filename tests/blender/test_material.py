@@ -435,5 +435,5 @@ def test_all_that_can_be_tuned_says_what_it_is():
         if hasattr(group, "inputs")
         else [item for item in group.interface.items_tree if item.in_out == "INPUT"]
     )
-    assert len(sockets) == 29
+    assert len(sockets) == 30
     assert all(socket.description for socket in sockets)

@@ -89,7 +89,7 @@ class CoastPicture(Picture):
 
     def _show_detail(self) -> None:
         coast, settings = self.opened, self.seen.libocean
-        if detail.waters_with(self.ob, settings):
+        if detail.is_wanted(settings) and detail.waters(self.ob):
             coast.open_sea.follow(coast.values.without_bed())
         with console.work(self.ob.name_full, "near detail"):
             detail.follow(self.ob, coast.open_sea, settings, self.view.time, None, over_bed=True)

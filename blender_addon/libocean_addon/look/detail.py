@@ -205,11 +205,11 @@ def is_detail(node) -> bool:
     return node.type == "GROUP" and node.node_tree is not None and MARK in node.node_tree
 
 
-def _waters(ob) -> list[tuple]:
+def waters(ob) -> list[tuple]:
     """Returns the waters of an object's materials that can show it, node tree and node: the socket
-    is free, or holds the detail of this sea or of a deleted one."""
+    is free, or holds the detail of this sea or of a deleted one. A linked object has none."""
     found = []
-    for slot in ob.material_slots:
+    for slot in ob.material_slots if ob.library is None else ():
         made = slot.material
         if made is None or made.library is not None or made.node_tree is None:
             continue
@@ -283,11 +283,6 @@ def is_wanted(settings) -> bool:
     return settings.use_detail and settings.use_foam and settings.use_normal
 
 
-def waters_with(ob, settings) -> list[tuple]:
-    """Returns the waters of an object's materials that show near detail, as _waters()."""
-    return _waters(ob) if is_wanted(settings) and ob.library is None else []
-
-
 def play(
     ob,
     bands: list[Band],
@@ -298,8 +293,8 @@ def play(
     """Shows the tiles of a bake. frames: the first and the last that have files; load: gives the
     image sequence of a band by its number, or None where there are no files; lost: as of
     _build()."""
-    waters = _waters(ob) if bands and ob.library is None else []
-    shown = [load(number) for number in range(len(bands))] if waters else []
+    shown_on = waters(ob) if bands else []
+    shown = [load(number) for number in range(len(bands))] if shown_on else []
     if not shown or None in shown:
         leave(ob.name_full)
         _remove_unused_sequences(set(shown) - {None})
@@ -309,22 +304,22 @@ def play(
         _build(group, made_of, bands, shown, frames, lost=lost)
         for image in _owned(bpy.data.images, ob.name_full):  # of the live sea
             bpy.data.images.remove(image)
-    _attach(waters, group)
+    _attach(shown_on, group)
 
 
 def follow(ob, sea, settings, at: float, size: int | None, *, over_bed: bool = False) -> None:
     """Brings the slopes of a time [s] up to date. sea: the OpenSea of the object; size: of the
     shown maps, in samples per side, None: the sea's own; over_bed: the object is the water of a
     coast."""
-    waters = waters_with(ob, settings)
-    if not waters:
+    shown_on = waters(ob) if is_wanted(settings) else []
+    if not shown_on:
         leave(ob.name_full)
         return
     state = (sea.changes, at, size, "detail")
     group = _group(ob.name_full)
     owned = _owned(bpy.data.images, ob.name_full)
     if owned and all(sea.shown.get(image.name_full) == state for image in owned):
-        _attach(waters, group)
+        _attach(shown_on, group)
         return
     with sea.lock:
         found = sea.handle.detail(at, size, samples=SAMPLES)
@@ -343,4 +338,4 @@ def follow(ob, sea, settings, at: float, size: int | None, *, over_bed: bool = F
     made_of = repr(([tuple(band)[1:7] for band in found.bands], lost))
     if not _is_made_of(group, made_of, shown):
         _build(group, made_of, [band_of(band) for band in found.bands], shown, lost=lost)
-    _attach(waters, group)
+    _attach(shown_on, group)

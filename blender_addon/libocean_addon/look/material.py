@@ -17,7 +17,7 @@ from ..shared.compat import tr
 from ..shared.shader_builder import Tree
 from ..shared.table_properties import settings_of
 from . import air, detail, pixel_angle, sun_focus, sunlight
-from .water_shader import DEFAULT_TYPE, WATER_TYPES, get_group, is_water, waters
+from .water_shader import DEFAULT_TYPE, WATER_TYPES, clearness, get_group, is_water, waters
 
 _ITEMS = [(name, entry["label"], entry["help"]) for name, entry in WATER_TYPES.items()]
 
@@ -61,6 +61,7 @@ def make(water_type: str, *, foam: bool = True, underwater: bool = False):
         "Scattering": kind["scattering"],
         "Anisotropy": kind["anisotropy"],
         "Crest Colour": (*kind["crest"], 1.0),
+        "Clearness": clearness(kind),
     }.items():
         water.inputs[name].default_value = value
     output = tree.node("ShaderNodeOutputMaterial")

@@ -13,6 +13,8 @@ is glass with absorption and scattering.
 
 from __future__ import annotations
 
+import math
+
 from ..sea import hull_nodes
 from ..shared import compat
 from ..shared.native import libocean
@@ -33,6 +35,12 @@ _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
 _PLUME = (0.012, 0.060, 0.066)  # light that bubbles below the surface send back
 _BED = (0.231, 0.198, 0.143)  # bed_albedo of shaders/preview/sand.glsl
+
+
+def clearness(kind: dict) -> tuple[float, ...]:
+    """Returns the colour that light has after a metre down and up. kind: a row of WATER_TYPES."""
+    lost = map(sum, zip(kind["absorption"], kind["scattering"], strict=True))
+    return (*(math.exp(-2.0 * part) for part in lost), 1.0)
 
 
 def _declare(group) -> None:
@@ -74,6 +82,12 @@ def _declare(group) -> None:
         "Color",
         (*_BED, 1.0),
         "Colour of the ground below shallow water, by the attribute depth",
+    )
+    triple(
+        "Clearness",
+        "Color",
+        clearness(kind),
+        "Light that comes back through a metre of water above a bed",
     )
     number("Foam Amount", 1.0, 0.0, 10.0, "How much of the attribute cover is shown; 0: none")
     number(
@@ -187,7 +201,7 @@ def _reflectance(t: Tree, ior, normal, slopes):
     fresnel = t.node("ShaderNodeFresnel")
     t.feed(ior, fresnel.inputs["IOR"])
     t.feed(normal, fresnel.inputs["Normal"])
-    geometry = t.node("ShaderNodeNewGeometry").outputs
+    geometry = t.geometry
     cosine = t.math("DOT_PRODUCT", normal, geometry["Incoming"], result="Value")
     grazing = t.number("SUBTRACT", 1.0, cosine, clamp=True)
     deviation = t.number("SQRT", t.number("MULTIPLY", slopes, 0.5))
@@ -209,14 +223,14 @@ def place(t: Tree):
     stored = t.node("ShaderNodeAttribute", attribute_name="label").outputs["Vector"]
     # An attribute that is absent reads 0.
     there = t.number("GREATER_THAN", t.parts(stored)[2], 0.5)
-    position = t.node("ShaderNodeNewGeometry").outputs["Position"]
+    position = t.geometry["Position"]
     return t.mix(position, stored, there)
 
 
 def footprint(t: Tree, pixel_angle):
     """Returns the side of the water that a pixel sees [m]."""
     distance = t.node("ShaderNodeCameraData").outputs["View Distance"]
-    incoming = t.node("ShaderNodeNewGeometry").outputs["Incoming"]
+    incoming = t.geometry["Incoming"]
     return foam_nodes.footprint(t, distance, pixel_angle, t.parts(incoming)[2])
 
 
@@ -252,11 +266,11 @@ def _foam(t: Tree, inputs) -> foam_nodes.Foam:
     full cover where one is 1. Bubbles gather where foam has been for long."""
 
     def make(t: Tree, *sockets) -> list:
-        inputs = dict(zip(_OF_FOAM, sockets, strict=True))
+        inputs, hidden = dict(zip(_OF_FOAM, sockets, strict=True)), _trail(t)
 
         def stored(name: str):
             found = t.node("ShaderNodeAttribute", attribute_name=name).outputs["Fac"]
-            return t.number("MAXIMUM", found, _trail(t))
+            return t.number("MAXIMUM", found, hidden)
 
         depth = t.node("ShaderNodeAttribute", attribute_name="depth").outputs["Fac"]
         line = foam_nodes.foam_swash(t, depth, inputs["Wave Height"])
@@ -320,14 +334,15 @@ def _volume(t: Tree, inputs):
 
 
 def _over_bed(t: Tree, inputs, below):
-    """Returns the colour below the surface with that of the bed, whose light has gone down and up:
-    exp(-2 c depth) of it is left. A depth of 0 is none: an attribute that is absent."""
+    """Returns the colour below the surface with that of the bed through the water over it. A depth
+    of 0 is none: an attribute that is absent."""
     depth = t.node("ShaderNodeAttribute", attribute_name="depth").outputs["Fac"]
-    twice = t.number("MULTIPLY", depth, -2.0)
-    lost = t.scale(t.math("ADD", inputs["Absorption"], inputs["Scattering"]), twice)
-    left = t.vector(*(t.number("EXPONENT", part) for part in t.parts(lost)))
-    left = t.scale(left, t.number("GREATER_THAN", depth, 1e-5))
-    return t.math("MULTIPLY_ADD", t.math("SUBTRACT", inputs["Bed Colour"], below), left, below)
+    depth = t.number("MULTIPLY_ADD", t.number("LESS_THAN", depth, 1e-5), 1e4, depth)
+    left = t.node("ShaderNodeGamma")
+    t.feed(inputs["Clearness"], left.inputs["Color"])
+    t.feed(depth, left.inputs["Gamma"])
+    seen = t.math("SUBTRACT", inputs["Bed Colour"], below)
+    return t.math("MULTIPLY_ADD", seen, left.outputs[0], below)
 
 
 def _build(group) -> None:

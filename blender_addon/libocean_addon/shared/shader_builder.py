@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import bpy
 
 from .node_builder import Builder
@@ -11,6 +13,11 @@ from .node_builder import Builder
 
 class Tree(Builder):
     """Words for shaders, in addition to the words for all nodes."""
+
+    @cached_property
+    def geometry(self):
+        """The outputs of the node of the place and its normals: one for the tree."""
+        return self.node("ShaderNodeNewGeometry").outputs
 
     def shader(self, kind: str, *, settings: dict | None = None, **inputs):
         made = self.node(kind, **(settings or {}))
@@ -45,7 +52,7 @@ def shader_group(mark: str, version, name: str, build):
 
 def facing(t: Tree):
     """Returns 1 from above, -1 from below."""
-    backfacing = t.node("ShaderNodeNewGeometry").outputs["Backfacing"]
+    backfacing = t.geometry["Backfacing"]
     return t.number("MULTIPLY_ADD", backfacing, -2.0, 1.0)
 
 
@@ -66,5 +73,5 @@ def stored_normal(t: Tree, attribute: str, side):
     t.feed(t.math("ADD", stored, missing), turned.inputs[0])
     own = t.math("NORMALIZE", turned.outputs[0])
     # Shaders turn the mesh's normal towards the viewer, not an attribute.
-    of_mesh = t.scale(t.node("ShaderNodeNewGeometry").outputs["Normal"], side)
+    of_mesh = t.scale(t.geometry["Normal"], side)
     return t.math("NORMALIZE", t.mix(of_mesh, own, there))
