@@ -202,17 +202,23 @@ def _set_inputs(picture: SeaPicture, *, draft: bool) -> None:
     # A draft in the viewport has fewer samples than are asked for.
     shown = modifier_groups.value(modifier, "Displacement")
     samples = shown.size[0] if shown is not None else sizes[0]
+    on_samples = meshes.is_on_samples(ob.data, min(samples, sizes[1]))
+    # Only the place within a period counts, and in single precision it counts most near 0.
+    origin = (x % period, y % period, 0.0)
+    if on_samples and settings.kind == "PATCH" and not picture.is_turned:
+        # Half-way between two samples, nodes would take now the one, now the other.
+        cell = period / max(samples, sizes[1])
+        origin = tuple(math.floor(place / cell + 0.5) * cell for place in origin)
     modifier_groups.assign(
         modifier,
         {
             "Tile Size": period,
             "Half Texel": 0.5 / samples,
             node_group.render_twin("Half Texel"): 0.5 / sizes[1],
-            # Only the place within a period counts, and in single precision it counts most near 0.
-            "Origin": (x % period, y % period, 0.0),
+            "Origin": origin,
             node_group.WORLD_ORIGIN: (x, y, 0.0),
             "Turn": picture.turn,
-            node_group.ON_SAMPLES: meshes.is_on_samples(ob.data, min(samples, sizes[1])),
+            node_group.ON_SAMPLES: on_samples,
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),
             "Use Foam": settings.use_foam,
