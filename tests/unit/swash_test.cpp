@@ -87,8 +87,7 @@ struct WaterLine {
                 labels.push_back({beach.shore + z / beach.slope, y});
             }
         }
-        const std::vector<SurfLabels> surf =
-            find_surf(beach.statics, surface.run_up(), labels, pool);
+        const std::vector<SurfLabels> surf = find_surf(surface, labels, pool);
         std::vector<float> depths(labels.size());
         height.resize(places);
         for (double time = 0.0; time < waves * beach.period(); time += step) {

@@ -119,8 +119,8 @@ class ShoreSurface {
     /// Returns the input with which a backend sums the waves. Valid until the next move_to.
     CoastWaves waves() const;
     /// Writes ShorePoint::breaking, the source of foam, and the depth of the water [m] at labels in
-    /// the surf and in the swash. Only in the swash the depth includes waves; elsewhere it is still
-    /// water's.
+    /// the surf and in the swash; without room for the source the depth alone. Only in the swash
+    /// the depth includes waves; elsewhere it is still water's.
     void read_surf(const SurfLabels& labels, std::span<float> breaking,
                    std::span<float> depths) const;
 
@@ -135,6 +135,7 @@ class ShoreSurface {
 
     const ShoreStatics& statics() const { return statics_; }
     const RunUpSea& run_up() const { return run_up_; }
+    const LimiterGain& limiter_gain() const { return limiter_gain_; }
     double choppiness() const { return choppiness_; }
     /// Returns the rms error of heights by the splines of the open sea [m].
     double height_error() const { return open_.height_error(); }

@@ -29,9 +29,9 @@ bool is_in_swash(const RunUpSea& sea, const SwashPlace<Plain>& place) {
 
 /// Appends those labels, of up to kShoreBlock, that are in the swash, and those that are in the
 /// surf alone.
-void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
-                 std::span<const WorldPoint> labels, std::uint32_t first, SurfLabels& swash,
-                 SurfLabels& surf_alone) {
+void append_surf(const ShoreSurface& surface, std::span<const WorldPoint> labels,
+                 std::uint32_t first, SurfLabels& swash, SurfLabels& surf_alone) {
+    const ShoreStatics& statics = surface.statics();
     const Domain& domain = statics.domain();
     std::array<double, kShoreBlock> x{}, y{};
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -53,7 +53,7 @@ void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
         const float on_bed = statics.share_of_coast(x[i], y[i]).value();
         if (on_bed <= 0.0f) continue;
         const auto place = swash_place<Plain>(ground, i, broken, i);
-        const bool runs_up = is_in_swash(sea, place);
+        const bool runs_up = is_in_swash(surface.run_up(), place);
         const bool breaks = surf_weight(rms_height, depth) > 0.0f && place.bed.value() < 0.0f;
         if (!runs_up && !breaks) continue;
         SurfLabels& surf = runs_up ? swash : surf_alone;
@@ -69,13 +69,20 @@ void append_surf(const ShoreStatics& statics, const RunUpSea& sea,
         surf.arrival.push_back(place.arrival.value());
         surf.group_width.push_back(place.group_width.value());
         surf.lee.push_back(lee);
+        if (!runs_up) continue;
+        const float k = statics.energy->depths.at(Plain(depth)).wavenumber.value();
+        const float highest = highest_wave(k, depth, breaker_index(surf.slope.back()));
+        surf.wavenumber.push_back(k);
+        surf.highest.push_back(highest);
+        surf.gain.push_back(
+            surface.limiter_gain()(rms_height / highest, typical_shape_root(rms_height, k, depth)));
     }
 }
 
 }  // namespace
 
-std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& sea,
-                                  std::span<const WorldPoint> labels, ThreadPool& pool) {
+std::vector<SurfLabels> find_surf(const ShoreSurface& surface, std::span<const WorldPoint> labels,
+                                  ThreadPool& pool) {
     constexpr std::size_t kPiece = 1024;
     const std::size_t count = (labels.size() + kPiece - 1) / kPiece;
     std::vector<SurfLabels> pieces(2 * count);
@@ -85,7 +92,7 @@ std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& s
         SurfLabels& swash = pieces[2 * p];
         swash.in_swash = true;
         for (std::size_t i = p * kPiece; i < end; i += kShoreBlock) {
-            append_surf(statics, sea, labels.subspan(i, std::min(kShoreBlock, end - i)),
+            append_surf(surface, labels.subspan(i, std::min(kShoreBlock, end - i)),
                         static_cast<std::uint32_t>(i), swash, pieces[2 * p + 1]);
         }
     });
@@ -135,12 +142,13 @@ void ShoreSurface::read_surf(const SurfLabels& labels, std::span<float> breaking
             const float imaginary = lee * block.sums.imaginary.part[0][n];
             const float squares = lee * lee * block.sums.squares.part[0][n];
             const float bed = labels.bed[at];
+            depths[at] =
+                labels.in_swash ? swash_depth(labels, at, {real, imaginary, squares}) : -bed;
+            if (breaking.empty()) continue;
             const float source = breaking_source(real, imaginary, labels.rms_height[at],
                                                  labels.depth[at], labels.share[at]);
             breaking[at] = surf_left(bed) * source;
-            depths[at] = -bed;
             if (labels.in_swash) {
-                depths[at] = swash_depth(labels, at, {real, imaginary, squares});
                 const float tip = tip_foam(depths[at], labels.slope[at], swash_weight(bed));
                 breaking[at] = std::max(breaking[at], tip);
             }
@@ -154,11 +162,8 @@ float ShoreSurface::swash_depth(const SurfLabels& labels, std::size_t at,
     const float depth = labels.depth[at];
     const SwashPlace<float> place{labels.bed[at], labels.slope[at], labels.arrival[at],
                                   labels.rms_height[at], labels.group_width[at]};
-    const float k = statics_.energy->depths.at(Plain(depth)).wavenumber.value();
-    const float highest = highest_wave(k, depth, breaker_index(place.slope));
-    const float gain =
-        limiter_gain_(place.rms_height / highest, typical_shape_root(place.rms_height, k, depth));
-    const BrokenWave<float> broken = broken_wave(waves.re, waves.im, highest, gain, k, depth);
+    const BrokenWave<float> broken = broken_wave(waves.re, waves.im, labels.highest[at],
+                                                 labels.gain[at], labels.wavenumber[at], depth);
     return swash_surface(run_up_, place, waves, broken.height).height - place.bed;
 }
 

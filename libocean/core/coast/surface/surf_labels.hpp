@@ -10,13 +10,12 @@
 #include <span>
 #include <vector>
 
-#include "coast/statics/shore_statics.hpp"
 #include "ocean/query.hpp"
 
 namespace ocean {
 
+class ShoreSurface;
 class ThreadPool;
-struct RunUpSea;
 
 /// Arrays of one value for each label in the surf or the swash, in the order of the labels.
 struct SurfLabels {
@@ -30,13 +29,15 @@ struct SurfLabels {
     // See SwashPlace.
     std::vector<float> bed, slope, arrival, group_width;
     std::vector<float> lee;  // factor on waves behind narrow walls
+    // Arguments of broken_wave, for labels in the swash alone.
+    std::vector<float> wavenumber, highest, gain;
 
     std::size_t size() const { return index.size(); }
 };
 
 /// Returns the labels in the surf and in the swash in pieces, each of at most 1024 labels that lie
 /// within 1024 consecutive ones. The indices count all labels.
-std::vector<SurfLabels> find_surf(const ShoreStatics& statics, const RunUpSea& sea,
-                                  std::span<const WorldPoint> labels, ThreadPool& pool);
+std::vector<SurfLabels> find_surf(const ShoreSurface& surface, std::span<const WorldPoint> labels,
+                                  ThreadPool& pool);
 
 }  // namespace ocean

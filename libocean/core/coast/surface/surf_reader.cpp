@@ -42,7 +42,7 @@ const std::vector<SurfReader::Piece>& SurfReader::read(const ShoreSurface& surfa
 void SurfReader::read(const ShoreSurface& surface, SurfTrace trace, ThreadPool& pool) {
     if (!pieces_) {
         std::vector<Piece> pieces;
-        for (SurfLabels& labels : find_surf(surface.statics(), surface.run_up(), labels_(), pool)) {
+        for (SurfLabels& labels : find_surf(surface, labels_(), pool)) {
             std::vector<float> depths(labels.size());
             std::ranges::transform(labels.bed, depths.begin(), std::negate<>());
             pieces.push_back({std::move(labels), {}, std::move(depths)});
@@ -54,8 +54,12 @@ void SurfReader::read(const ShoreSurface& surface, SurfTrace trace, ThreadPool& 
     pool.for_each_item(static_cast<int>(pieces_->size()), [&](int number, int) {
         Piece& piece = (*pieces_)[static_cast<std::size_t>(number)];
         if (!needs(trace, piece.labels)) return;
-        piece.breaking.resize(piece.labels.size());
-        surface.read_surf(piece.labels, piece.breaking, piece.depths);
+        std::span<float> breaking;
+        if (trace == SurfTrace::foam) {
+            piece.breaking.resize(piece.labels.size());
+            breaking = piece.breaking;
+        }
+        surface.read_surf(piece.labels, breaking, piece.depths);
     });
 }
 
