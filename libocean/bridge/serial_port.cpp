@@ -87,11 +87,18 @@ SerialPort::~SerialPort() {
     ::ioctl(descriptor(), TIOCNXCL);  // a pseudo-terminal would stay locked
     if (!is_sending()) return;
     // close() blocks for half a minute while a board accepts nothing, so a thread that only holds
-    // the line closes it.
+    // the line closes it. A process that ends meanwhile interrupts that, but if it ended before the
+    // thread had begun, it would close the line itself and block.
+    const int number = descriptor();
     try {
         std::thread([line = std::move(descriptor_)] {}).detach();
     } catch (const std::system_error&) {
-        // Without a thread the line was closed here.
+        return;  // without a thread the line was closed here
+    }
+    constexpr std::chrono::milliseconds kStep{1};
+    constexpr std::chrono::milliseconds kLimit{1000};
+    for (auto waited = kStep; waited <= kLimit && ::fcntl(number, F_GETFD) >= 0; waited += kStep) {
+        std::this_thread::sleep_for(kStep);
     }
 }
 
