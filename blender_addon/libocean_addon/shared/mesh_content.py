@@ -17,7 +17,7 @@ import numpy as np
 
 from . import compat
 
-_SIDE = 50
+_SIDE = 45
 """The vertices along each side of a mesh with few of them, at most."""
 _PRESET = 0  # of lzma: higher ones save 5 % and take four times as long
 _VECTORS = {1: ("FLOAT", "value"), 3: ("FLOAT_VECTOR", "vector")}
