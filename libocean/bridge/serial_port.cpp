@@ -37,6 +37,15 @@ speed_t speed_of(int baud) {
     }
 }
 
+/// Blocks while holds() returns true, at most until the time is over.
+template <typename Holds>
+void wait_while(const Holds& holds, std::chrono::milliseconds limit) {
+    constexpr std::chrono::milliseconds kStep{2};
+    for (auto waited = kStep; waited <= limit && holds(); waited += kStep) {
+        std::this_thread::sleep_for(kStep);
+    }
+}
+
 }  // namespace
 
 Descriptor::~Descriptor() {
@@ -95,11 +104,7 @@ SerialPort::~SerialPort() {
     } catch (const std::system_error&) {
         return;  // without a thread the line was closed here
     }
-    constexpr std::chrono::milliseconds kStep{1};
-    constexpr std::chrono::milliseconds kLimit{1000};
-    for (auto waited = kStep; waited <= kLimit && ::fcntl(number, F_GETFD) >= 0; waited += kStep) {
-        std::this_thread::sleep_for(kStep);
-    }
+    wait_while([number] { return ::fcntl(number, F_GETFD) >= 0; }, std::chrono::seconds(1));
 }
 
 std::span<const std::uint8_t> SerialPort::read(std::span<std::uint8_t> buffer) const {
@@ -118,10 +123,7 @@ std::size_t SerialPort::write(std::span<const std::uint8_t> bytes) const {
 }
 
 void SerialPort::drain(std::chrono::milliseconds limit) const {
-    constexpr std::chrono::milliseconds kStep{2};
-    for (auto waited = kStep; waited <= limit && is_sending(); waited += kStep) {
-        std::this_thread::sleep_for(kStep);
-    }
+    wait_while([this] { return is_sending(); }, limit);
 }
 
 bool SerialPort::is_sending() const {

@@ -74,6 +74,19 @@ ocean_detail_band band_of(const DetailBand& from, const MapOutput* map, int samp
             .mean_square = map == nullptr ? 0.0 : read_mean_square(*map, samples)};
 }
 
+/// Has write(region, maps) fill the outputs of a request at a time [s].
+template <typename Write>
+ocean_result in_region(ocean_sea* sea, double time, const ocean_region_request* request,
+                       const Write& write) {
+    return in_handle(sea, [&] {
+        require(request, "request");
+        require_finite(time, "time", "seconds");
+        std::vector<MapOutput>& maps = sea->map_outputs;
+        const Domain region = read_region(request, maps);
+        write(region, maps);
+    });
+}
+
 }  // namespace
 }  // namespace ocean::capi
 
@@ -130,11 +143,7 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
 }
 
 ocean_result ocean_region(ocean_sea* sea, double time, const ocean_region_request* request) {
-    return in_handle(sea, [&] {
-        require(request, "request");
-        require_finite(time, "time", "seconds");
-        std::vector<MapOutput>& maps = sea->map_outputs;
-        const Domain region = read_region(request, maps);
+    return in_region(sea, time, request, [&](const Domain& region, auto& maps) {
         sea->ocean->region_into(time, region, maps);
     });
 }
@@ -156,22 +165,14 @@ ocean_result ocean_wake_domain(const ocean_sea* sea, size_t hull, double time,
 
 ocean_result ocean_wake_region(ocean_sea* sea, size_t hull, double time,
                                const ocean_region_request* request) {
-    return in_handle(sea, [&] {
-        require(request, "request");
-        require_finite(time, "time", "seconds");
-        std::vector<MapOutput>& maps = sea->map_outputs;
-        const Domain region = read_region(request, maps);
+    return in_region(sea, time, request, [&](const Domain& region, auto& maps) {
         sea->ocean->wake_into(hull, time, region, maps);
     });
 }
 
 ocean_result ocean_wake_add(ocean_sea* sea, size_t hull, double time,
                             const ocean_region_request* request) {
-    return in_handle(sea, [&] {
-        require(request, "request");
-        require_finite(time, "time", "seconds");
-        std::vector<MapOutput>& maps = sea->map_outputs;
-        const Domain region = read_region(request, maps);
+    return in_region(sea, time, request, [&](const Domain& region, auto& maps) {
         sea->ocean->add_wake(hull, time, region, maps);
     });
 }

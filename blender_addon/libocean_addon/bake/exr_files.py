@@ -106,9 +106,13 @@ class Provenance:
     detail: object = None
     """The libocean.Detail of the frame; needed to write slope tiles, not to recognise them."""
 
+    def is_region(self, field: str) -> bool:
+        """Returns whether a field's file is of a region: slope tiles repeat beside one too."""
+        return self.extent is not None and field not in DETAIL
+
     def strings(self, field: str) -> dict[str, str]:
         """Returns the strings of a field's header. Far maps name themselves beside their field."""
-        if self.extent is not None and field not in DETAIL:
+        if self.is_region(field):
             return {**self._strings_of_region(field), "ocean:field": field}
         product = field.removesuffix(_FAR)
         how = {"axes": AXES, "resolution": self.resolution, "detail": self.detail}
@@ -128,8 +132,7 @@ class Provenance:
 
     def shape(self, field: str) -> tuple[int, int]:
         """Returns the rows and columns of a field's file."""
-        is_region = self.extent is not None and field not in DETAIL
-        return self.extent.shape if is_region else shape(field, self.resolution)
+        return self.extent.shape if self.is_region(field) else shape(field, self.resolution)
 
 
 class FileError(Exception):
@@ -329,7 +332,7 @@ def _write_image(
     header["channels"] = {name: imath.Channel(imath.PixelType(2)) for name in planes}  # 2: float
     header["compression"] = imath.Compression(_RLE if field in _MOSTLY_NOTHING else _NONE)
     strings = provenance.strings(field)
-    if provenance.extent is None or field in DETAIL:
+    if not provenance.is_region(field):
         strings["wrapmodes"] = "periodic"
     header.update({name: text.encode() for name, text in strings.items()})
     image = package.OutputFile(str(path), header)

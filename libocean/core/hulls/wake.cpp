@@ -230,11 +230,14 @@ std::vector<double> Wake::Rows::columns(const Wake& wake, const Domain& domain) 
 }
 
 Wake::Rows::Rows(const Wake& wake, const Domain& domain)
+    : Rows(wake, domain, columns(wake, domain)) {}
+
+Wake::Rows::Rows(const Wake& wake, const Domain& domain, std::span<const double> x)
     : wake_(wake),
       domain_(domain),
       begin_(static_cast<std::size_t>(wake.samples(domain, 0)[0])),
-      lines_(wake.map_, columns(wake, domain)) {
-    for (const double x : columns(wake, domain)) rims_.push_back(rim_factor(x, wake.size_.side));
+      lines_(wake.map_, x) {
+    for (const double place : x) rims_.push_back(rim_factor(place, wake.size_.side));
 }
 
 void Wake::Rows::read(int j, std::size_t first, std::span<LinearWaves<Jet>> waves) const {

@@ -123,6 +123,7 @@ class Wake::Rows {
   private:
     /// Returns the places of the columns in the square, from its centre.
     static std::vector<double> columns(const Wake& wake, const Domain& domain);
+    Rows(const Wake& wake, const Domain& domain, std::span<const double> x);
 
     const Wake& wake_;
     Domain domain_;

@@ -94,8 +94,7 @@ class Sea(Maps, Queries):
         """Returns the samples of the wake of a hull, 0 .. wake_count - 1, at `time` [s]: a square
         that moves with the hull by whole cells."""
         own = _abi.Domain(ctypes.sizeof(_abi.Domain))
-        at = number("time", time)
-        self._call("ocean_wake_domain", whole("hull", hull, 0), at, ctypes.byref(own))
+        self._of_wake("ocean_wake_domain", hull, time, own)
         return WakeDomain((own.x, own.y), own.cell, own.columns)
 
     def fill_wake(
@@ -113,8 +112,7 @@ class Sea(Maps, Queries):
         square; any origin and cell are allowed. It has no foam, and of the masks "trail" alone,
         which fades out towards the border of the square."""
         request = region_request(origin, cell, region_buffers(buffers), axes)
-        at = number("time", time)
-        self._call("ocean_wake_region", whole("hull", hull, 0), at, ctypes.byref(request))
+        self._of_wake("ocean_wake_region", hull, time, request)
 
     def add_wake(
         self,
@@ -129,8 +127,11 @@ class Sea(Maps, Queries):
         those of fill_wake(). Channels that add up, and "trail", are sums then; "jacobian" is one to
         first order, and normals, whole in one buffer, are tilted to first order."""
         request = region_request(origin, cell, region_buffers(buffers), axes)
+        self._of_wake("ocean_wake_add", hull, time, request)
+
+    def _of_wake(self, function: str, hull: int, time: float, told: ctypes.Structure) -> None:
         at = number("time", time)
-        self._call("ocean_wake_add", whole("hull", hull, 0), at, ctypes.byref(request))
+        self._call(function, whole("hull", hull, 0), at, ctypes.byref(told))
 
     def bed_region(
         self, origin: tuple[float, float], samples: tuple[int, int], cell: float

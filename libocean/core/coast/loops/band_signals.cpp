@@ -158,7 +158,7 @@ void BandSignals::transform_columns(const Batch& batch, const SignalCells* cells
         }
     };
     if (first == 0) copy(kColumnsBefore, kColumnsBefore + width, kColumnsBeyond - kColumnsBefore);
-    if (first + kBatch == width) copy(kColumnsBefore + width - 1, 0, kColumnsBefore);
+    if (first + kBatch == width) copy(width, 0, kColumnsBefore);
 }
 
 SignalCells BandSignals::no_cells() const {
