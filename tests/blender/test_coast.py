@@ -342,9 +342,9 @@ def test_the_panels_show_the_sea_and_its_bed(coast, monkeypatch):
         assert word in shown, word
     assert "libocean.add_waves" in shown and "Bed: -7.999 to 6 m" in shown
     coast.libocean_coast.region = (-500.0, 40.0, 90.0, 100.0)
-    assert "reaches beyond" in " ".join(drawn_by(panels.CoastPanel))
+    assert "reaches beyond" in " ".join(drawn_by(panels.coast_panel))
     monkeypatch.setattr(drafts, "progress", lambda _name: 0.25)
-    assert "25%" in " ".join(drawn_by(panels.CoastPanel))
+    assert "25%" in " ".join(drawn_by(panels.coast_panel))
 
 
 def test_the_waves_of_a_coast_come_and_go(coast):

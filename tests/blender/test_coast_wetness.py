@@ -37,7 +37,7 @@ def test_the_land_is_as_wet_as_the_library_says(wet, scene):
         assert_is_wet(wet, frame)
         shown.append(attribute(wet.libocean_coast.land, "shore_wetness"))
     assert not np.array_equal(shown[0], shown[1])
-    assert "use_wetness" in " ".join(drawn_by(panels.CoastLookPanel))
+    assert "use_wetness" in " ".join(drawn_by(panels.look_panel))
 
 
 def test_another_wind_wets_it_otherwise(wet):
@@ -49,7 +49,7 @@ def test_another_wind_wets_it_otherwise(wet):
 
 def test_without_land_it_says_what_it_needs(wet):
     wet.libocean_coast.land = None
-    assert "Wet ground has no effect: it needs Land" in " ".join(drawn_by(panels.CoastLookPanel))
+    assert "Wet ground has no effect: it needs Land" in " ".join(drawn_by(panels.look_panel))
 
 
 def test_without_it_the_land_has_no_modifier(wet):

@@ -312,14 +312,14 @@ def test_the_empty_of_a_crest_stands_for_its_ocean(scene, ocean):
 
 def test_the_panels_show_it(ocean):
     row, empty = add_crest()
-    shown = drawn_by(crest_panels.CrestsPanel)
+    shown = drawn_by(crest_panels.crests_panel)
     assert {"frame", "height", "unit", "use_direction"} < set(shown) and "time" not in shown
     row.use_time = True
-    assert "time" in drawn_by(crest_panels.CrestsPanel)
-    assert not crest_panels.EmptyPanel.poll(bpy.context)
+    assert "time" in drawn_by(crest_panels.crests_panel)
+    assert not crest_panels.empty_panel.poll(bpy.context)
     bpy.context.view_layer.objects.active = empty
-    assert crest_panels.EmptyPanel.poll(bpy.context)
-    assert "height" in drawn_by(crest_panels.EmptyPanel)
+    assert crest_panels.empty_panel.poll(bpy.context)
+    assert "height" in drawn_by(crest_panels.empty_panel)
     for empty_of_list in (empty, None):
         row.empty = empty_of_list
         drawn = []

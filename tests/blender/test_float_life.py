@@ -136,7 +136,7 @@ def test_a_boat_that_runs_aground_stays_at_its_place_and_says_so(coast, boat):
         bpy.context.view_layer.update()
         assert words in boat.libocean_float.problem
         if words:
-            assert words in " ".join(drawn_by(floating.FloatPanel))
+            assert words in " ".join(drawn_by(floating.float_panel))
             assert boat.matrix_world.translation.z == pytest.approx(0.0, abs=1e-6)
     assert boat.libocean_float.problem == ""
     assert_rides(boat, coast, 1)

@@ -24,7 +24,7 @@ def ocean():
 
 
 def said() -> str:
-    return " ".join(drawn_by(panels.OceanPanel))
+    return " ".join(drawn_by(panels.ocean_panel))
 
 
 def everything() -> list[str]:
@@ -37,7 +37,7 @@ def everything() -> list[str]:
 def test_a_measured_sea_without_its_file_is_said(ocean):
     ocean.libocean.waves[0].spectrum = "measured"
     assert "needs a file" in said()
-    assert "file" in drawn_by(panels.SpectrumPanel)  # where it is chosen
+    assert "file" in drawn_by(panels.spectrum_panel)  # where it is chosen
 
 
 # Settings that apply, in words that fit --------------------------------------------
@@ -63,18 +63,18 @@ def test_what_does_not_apply_is_not_there(ocean):
 
 def test_what_opens_is_what_an_artist_changes(ocean):
     opened = [cls for cls in PANELS if "DEFAULT_CLOSED" not in getattr(cls, "bl_options", ())]
-    assert opened == [panels.OceanPanel, panels.WavesPanel]
+    assert opened == [panels.ocean_panel, panels.waves_panel]
     bpy.ops.libocean.add_material()
-    shown = drawn_by(panels.WavesPanel)
+    shown = drawn_by(panels.waves_panel)
     names = ["wind_speed", "wind_direction", "significant_wave_height", "default_value"]
     names += ["choppiness", "seed", "use_detail"]
     assert [name for name in shown if name in names] == names
     assert not {"spectrum", "fetch", "peak_enhancement", "spreading", "cascades"} & set(shown)
-    assert {"fetch", "peak_enhancement", "spreading"} <= set(drawn_by(panels.SpectrumPanel))
+    assert {"fetch", "peak_enhancement", "spreading"} <= set(drawn_by(panels.spectrum_panel))
 
 
 def test_the_amount_of_foam_is_that_of_the_material(ocean):
-    assert "default_value" not in drawn_by(panels.WavesPanel)
+    assert "default_value" not in drawn_by(panels.waves_panel)
     bpy.ops.libocean.add_material()
     (water,) = material.waters_of(ocean)
     assert water.inputs["Foam Amount"].default_value == 1.0
@@ -82,16 +82,16 @@ def test_the_amount_of_foam_is_that_of_the_material(ocean):
 
 def test_divisors_are_as_many_as_cascades(ocean):
     settings = ocean.libocean
-    assert "use_cascade_divisors" not in drawn_by(panels.AdvancedPanel)
+    assert "use_cascade_divisors" not in drawn_by(panels.advanced_panel)
     settings.cascades = 3
-    assert "cascade_divisors" not in drawn_by(panels.AdvancedPanel)
+    assert "cascade_divisors" not in drawn_by(panels.advanced_panel)
     chosen = facts.cascade_divisors(ocean)
     settings.use_cascade_divisors = True
     assert list(settings.cascade_divisors) == [*chosen, 0, 0]
     assert chosen[0] == 1
     assert len(chosen) == 3
     assert settings.problem == ""
-    assert drawn_by(panels.AdvancedPanel).count("cascade_divisors") == 3
+    assert drawn_by(panels.advanced_panel).count("cascade_divisors") == 3
     settings.use_cascade_divisors = False
     assert not any(settings.cascade_divisors)
 
@@ -128,17 +128,17 @@ def test_a_sentence_is_divided_where_it_must(monkeypatch):
 
 
 def test_the_samples_of_the_maps_are_said_where_they_are_set(ocean):
-    assert "samples" not in " ".join(drawn_by(panels.LookPanel))
+    assert "samples" not in " ".join(drawn_by(panels.look_panel))
     ocean.libocean.cascades = 2
     size = facts.map_resolution(ocean)
     assert size > ocean.libocean.resolution
-    for cls in (panels.LookPanel, panels.AdvancedPanel):
+    for cls in (panels.look_panel, panels.advanced_panel):
         assert f"2 cascades: maps of {size} x {size} samples" in " ".join(drawn_by(cls))
 
 
 def test_a_stopped_draft_can_be_finished(ocean, monkeypatch):
     monkeypatch.setattr(drafts, "is_stopped", lambda _name: True)
-    shown = drawn_by(panels.OceanPanel)
+    shown = drawn_by(panels.ocean_panel)
     assert "A draft, without the past of its foam" in " ".join(shown)
     assert "libocean.finish_draft" in shown
 
@@ -168,7 +168,7 @@ def test_the_size_of_mesh_and_maps_is_told(ocean):
 def test_progress_is_told(ocean, monkeypatch):
     monkeypatch.setattr(drafts, "progress", lambda _name: 0.43)
     assert "A draft; the whole sea: 43%" in said()
-    assert "libocean.stop_draft" in drawn_by(panels.OceanPanel)
+    assert "libocean.stop_draft" in drawn_by(panels.ocean_panel)
 
 
 def test_a_scale_is_said(ocean):
@@ -233,7 +233,7 @@ def test_a_plane_of_four_vertices_offers_to_subdivide(scene):
     bpy.ops.libocean.add_modifier()
     bpy.context.view_layer.update()
     assert re.search(r"20\d m between vertices", said())
-    assert "libocean.subdivide" in drawn_by(panels.OceanPanel)
+    assert "libocean.subdivide" in drawn_by(panels.ocean_panel)
     assert bpy.ops.libocean.subdivide() == {"FINISHED"}
     assert [modifier.type for modifier in ob.modifiers] == ["SUBSURF", "NODES"]
     assert len(ob.data.vertices) == 4  # the mesh itself stays
@@ -243,7 +243,7 @@ def test_a_plane_of_four_vertices_offers_to_subdivide(scene):
     assert vertices <= 513**2
     assert positions(ob)[:, 2].std() > 0.2
     assert "between vertices" not in said()
-    assert "libocean.subdivide" not in drawn_by(panels.OceanPanel)
+    assert "libocean.subdivide" not in drawn_by(panels.ocean_panel)
     assert "already has the vertices" in failing(bpy.ops.libocean.subdivide)
     assert len(evaluated_mesh(ob).vertices) == vertices
 

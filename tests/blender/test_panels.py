@@ -46,7 +46,7 @@ class Panels:
 class SeaPanels(Panels):
     classes = (
         *(cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)),
-        crest_panels.CrestsPanel,
+        crest_panels.crests_panel,
     )
     states = (
         ("use_foam", True),
@@ -114,7 +114,7 @@ class TerrainPanels(Panels):
 
 
 class CoastPanels(Panels):
-    classes = (*coast_panels.CLASSES, floating.FloatPanel)
+    classes = (*coast_panels.CLASSES, floating.float_panel)
     settings = "libocean_coast"
     states = (("use_region", True), ("region", (50.0, 40.0, 90.0, 100.0)), ("use_wetness", True))
 
@@ -168,7 +168,7 @@ def test_every_parameter_is_in_one_panel(case, settings):
     if case.settings == "libocean_coast":
         return  # it shows parameters of its sea, and has none
     case.show_all(settings)
-    shown = drawn_by(*(cls for cls in case.classes if cls is not terrain_panels.LayersPanel))
+    shown = drawn_by(*(cls for cls in case.classes if cls is not terrain_panels.layers_panel))
     for entry in case.table.rows:
         is_item = entry["section"] == case.table.item_section
         group = settings.waves[0] if is_item and case.table is not PARAMETERS else settings
@@ -176,7 +176,7 @@ def test_every_parameter_is_in_one_panel(case, settings):
         listed = resolutions.listed(key) if key in case.table.resolutions else key
         wanted = case.lists.get(entry["type"], 1)
         if is_item and case.table is PARAMETERS:
-            assert key in drawn_by(terrain_panels.LayersPanel)
+            assert key in drawn_by(terrain_panels.layers_panel)
         else:
             assert shown.count(listed) == (wanted if case.is_used(group, entry) else 0), key
 

@@ -10,7 +10,7 @@ import pytest
 import toy_subject
 from conftest import keyed, positions
 from libocean_addon import handlers
-from toy_subject import TOY, ToyPanel
+from toy_subject import TOY, toy_panel
 
 
 @pytest.fixture
@@ -40,7 +40,7 @@ def test_a_failure_is_said_in_words_of_the_panel(toy):
     layout = types.SimpleNamespace(
         column=lambda **_: types.SimpleNamespace(label=lambda text, **_: said.append(text))
     )
-    ToyPanel.draw(types.SimpleNamespace(layout=layout), bpy.context)
+    toy_panel.draw(types.SimpleNamespace(layout=layout), bpy.context)
     assert " ".join(said) == toy.libocean_toy.problem
 
 

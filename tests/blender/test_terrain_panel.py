@@ -20,7 +20,7 @@ def terrain():
 
 
 def said() -> str:
-    return " ".join(drawn_by(panels.TerrainPanel))
+    return " ".join(drawn_by(panels.terrain_panel))
 
 
 def everything() -> list[str]:

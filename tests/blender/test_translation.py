@@ -209,8 +209,8 @@ def german():
 
 def test_panels_and_operators_have_german_names(german):
     look_up = bpy.app.translations.pgettext_iface
-    assert look_up(panels.WavesPanel.bl_label) == "See"
-    assert look_up(floating.FloatPanel.bl_label) == "Schwimmen (libocean)"
+    assert look_up(panels.waves_panel.bl_label) == "See"
+    assert look_up(floating.float_panel.bl_label) == "Schwimmen (libocean)"
     assert look_up(operators.LoadSea.bl_label, "Operator") == "Seegang laden"
 
 

@@ -223,20 +223,16 @@ class LoadToy(OnToy, LoadPreset, bpy.types.Operator):
     preset: bpy.props.StringProperty()
 
 
-class ToyPanel(subject_panel.ModifierPanel, bpy.types.Panel):
-    bl_idname = "LIBOCEAN_PT_toy"
-    bl_label = "Toy"
-    modifiers = staticmethod(FAMILY.modifiers)
-
-    def draw(self, context) -> None:
-        problems = [context.object.libocean_toy.problem]
-        subject_panel.draw_problems(self.layout, context.scene, problems, "No metres")
+@subject_panel.Panels(FAMILY.modifiers).add("toy", "Toy", closed=False)
+def toy_panel(layout, ob, context) -> None:
+    problems = [ob.libocean_toy.problem]
+    subject_panel.draw_problems(layout, context.scene, problems, "No metres")
 
 
 @contextlib.contextmanager
 def registered():
     """Has the add-on know the subject meanwhile."""
-    part = (ToySettings, SaveToy, LoadToy, ToyPanel)
+    part = (ToySettings, SaveToy, LoadToy, toy_panel)
     register, unregister = registration.functions(part, settings={"libocean_toy": ToySettings})
     register()
     subjects.add(TOY)

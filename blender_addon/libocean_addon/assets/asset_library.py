@@ -20,7 +20,7 @@ from pathlib import Path
 
 import bpy
 
-from ..shared import compat, messages, paths
+from ..shared import compat, messages, paths, registration
 from ..shared.compat import tr, tr_label
 from ..shared.drawing import say
 from ..shared.native import ADDON
@@ -227,13 +227,4 @@ def _draw_menu(self, _context) -> None:
     self.layout.operator(MakeAssetLibrary.bl_idname, icon="MOD_OCEAN")
 
 
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-    compat.asset_menu().append(_draw_menu)
-
-
-def unregister() -> None:
-    compat.asset_menu().remove(_draw_menu)
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = registration.functions(CLASSES, menus={compat.ASSET_MENU: _draw_menu})

@@ -9,7 +9,7 @@ import threading
 import bpy
 
 from ..sea import hulls, messages, operators
-from ..shared import changes, compat, console, overrides, subject
+from ..shared import changes, compat, console, overrides, registration, subject
 from ..shared.compat import tr, tr_label
 from ..shared.table_properties import settings_of
 from . import bake_files, bake_job, bake_record, exr_files
@@ -245,13 +245,10 @@ class FreeBake(OnBaked, bpy.types.Operator):
 CLASSES = (BakeOcean, FreeBake)
 
 
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
+register, _unregister = registration.functions(CLASSES)
 
 
 def unregister() -> None:
     if running is not None:
         running.job.stop.set()
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+    _unregister()

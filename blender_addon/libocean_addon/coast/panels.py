@@ -5,14 +5,12 @@ it is shown."""
 
 from __future__ import annotations
 
-import bpy
-
 from .. import translations, whole_sea
 from ..sea import panels as sea_panels
 from ..sea import parameter_values
-from ..shared import drafts, meshes, subject_panel
+from ..shared import drafts, meshes, registration, subject_panel
 from ..shared.compat import tr_label
-from ..shared.drawing import draws, field, never_raises, say
+from ..shared.drawing import field, say
 from ..terrain import trees
 from ..terrain.look_panels import SIDES
 from . import facts, node_group, operators
@@ -23,56 +21,37 @@ SHORE = tuple(key for key, entry in _ENTRIES.items() if entry["section"] == "wat
 SPECTRUM = ("patch_size", "resolution")
 
 
-class _Panel(subject_panel.ModifierPanel):
-    modifiers = staticmethod(node_group.modifiers)
+PANELS = subject_panel.Panels(node_group.modifiers, "libocean_coast")
 
 
-class CoastPanel(_Panel, bpy.types.Panel):
+@PANELS.add("coast", "Coast (libocean)", closed=False)
+def coast_panel(layout, ob, context) -> None:
     """The coast of the active object"""
-
-    bl_idname = "LIBOCEAN_PT_coast"
-    bl_label = "Coast (libocean)"
-
-    @draws
-    def draw(self, layout, ob, context) -> None:
-        row = layout.row(align=True)
-        row.operator(operators.LoadCoast.bl_idname, text="Load", icon="IMPORT")
-        row.operator(operators.SaveCoast.bl_idname, text="Save", icon="EXPORT")
-        units = tr_label("The sea takes a Blender unit for a metre")
-        subject_panel.draw_problems(layout, context.scene, [ob.libocean_coast.problem], units)
-        share = drafts.progress(ob.name_full) or 0.0
-        working = tr_label("A draft; the whole coast follows: {:.0%}", share)
-        stopped = tr_label("A draft: the coast as it was")
-        whole_sea.draw_draft(layout, ob.name_full, working, stopped)
-        subject_panel.draw_facts(layout, ob, facts)
+    row = layout.row(align=True)
+    row.operator(operators.LoadCoast.bl_idname, text="Load", icon="IMPORT")
+    row.operator(operators.SaveCoast.bl_idname, text="Save", icon="EXPORT")
+    units = tr_label("The sea takes a Blender unit for a metre")
+    subject_panel.draw_problems(layout, context.scene, [ob.libocean_coast.problem], units)
+    share = drafts.progress(ob.name_full) or 0.0
+    working = tr_label("A draft; the whole coast follows: {:.0%}", share)
+    stopped = tr_label("A draft: the coast as it was")
+    whole_sea.draw_draft(layout, ob.name_full, working, stopped)
+    subject_panel.draw_facts(layout, ob, facts)
 
 
-class CoastWavesPanel(_Panel, bpy.types.Panel):
+@PANELS.add("coast_waves", "Sea", closed=False, labels=False)
+def waves_panel(layout, ob, _context) -> None:
     """The sea as an artist changes it"""
-
-    bl_idname = "LIBOCEAN_PT_coast_waves"
-    bl_parent_id = CoastPanel.bl_idname
-    bl_label = "Sea"
-
-    @never_raises
-    def draw(self, context) -> None:
-        sea_panels.draw_sea(self.layout, context.object)
+    sea_panels.draw_sea(layout, ob)
 
 
-class CoastSpectrumPanel(_Panel, bpy.types.Panel):
+@PANELS.add("coast_spectrum", "Spectrum", labels=False)
+def spectrum_panel(layout, ob, _context) -> None:
     """The wave systems that reach the coast, with their spectra"""
-
-    bl_idname = "LIBOCEAN_PT_coast_spectrum"
-    bl_parent_id = CoastPanel.bl_idname
-    bl_label = "Spectrum"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean
-        sea_panels.draw_spectrum(layout, settings)
-        layout.separator()
-        _draw_parameters(layout, settings, SPECTRUM)
+    settings = ob.libocean
+    sea_panels.draw_spectrum(layout, settings)
+    layout.separator()
+    _draw_parameters(layout, settings, SPECTRUM)
 
 
 def _draw_parameters(layout, settings, keys) -> None:
@@ -80,72 +59,44 @@ def _draw_parameters(layout, settings, keys) -> None:
         sea_panels.draw_parameter(layout, settings, _ENTRIES[key])
 
 
-class CoastBedPanel(_Panel, bpy.types.Panel):
+@PANELS.add("coast_bed", "Bed")
+def bed_panel(layout, ob, _context) -> None:
     """The bed and the height of the water over it"""
-
-    bl_idname = "LIBOCEAN_PT_coast_bed"
-    bl_parent_id = CoastPanel.bl_idname
-    bl_label = "Bed"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        _draw_parameters(layout, ob.libocean, (*BED, *SHORE))
-        for name in ("land", "far_water"):
-            field(layout, ob.libocean_coast, name)
+    _draw_parameters(layout, ob.libocean, (*BED, *SHORE))
+    for name in ("land", "far_water"):
+        field(layout, ob.libocean_coast, name)
 
 
-class CoastLookPanel(_Panel, bpy.types.Panel):
+@PANELS.add("coast_look", "Look")
+def look_panel(layout, ob, _context) -> None:
     """How the water is shown"""
-
-    bl_idname = "LIBOCEAN_PT_coast_look"
-    bl_parent_id = CoastPanel.bl_idname
-    bl_label = "Look"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        settings = ob.libocean_coast
-        layout.prop(settings, "cell")
-        layout.prop(settings, "use_fine_shore")
-        layout.prop(settings, "use_region")
-        if settings.use_region:
-            column = layout.column(align=True)
-            for index, text in enumerate(SIDES):
-                column.prop(settings, "region", index=index, text=text, text_ctxt=translations.SEA)
-        layout.prop(settings, "use_clip")
-        if settings.use_clip:
-            layout.prop(settings, "clip_depth")
-        column = layout.column(heading="Attributes")
-        for name in ("use_foam", "use_velocity", "use_normal"):
-            column.prop(ob.libocean, name)
-        column.prop(settings, "use_wetness")
-        if settings.use_wetness and not meshes.is_ours(settings.land):
-            say(layout, tr_label("Wet ground has no effect: it needs Land, a mesh"), "ERROR")
-        _draw_parameters(layout, ob.libocean, sea_panels.FOAM)
-        layout.operator(trees.AddTrees.bl_idname, icon="OUTLINER_OB_POINTCLOUD")
+    settings = ob.libocean_coast
+    layout.prop(settings, "cell")
+    layout.prop(settings, "use_fine_shore")
+    layout.prop(settings, "use_region")
+    if settings.use_region:
+        column = layout.column(align=True)
+        for index, text in enumerate(SIDES):
+            column.prop(settings, "region", index=index, text=text, text_ctxt=translations.SEA)
+    layout.prop(settings, "use_clip")
+    if settings.use_clip:
+        layout.prop(settings, "clip_depth")
+    column = layout.column(heading="Attributes")
+    for name in ("use_foam", "use_velocity", "use_normal"):
+        column.prop(ob.libocean, name)
+    column.prop(settings, "use_wetness")
+    if settings.use_wetness and not meshes.is_ours(settings.land):
+        say(layout, tr_label("Wet ground has no effect: it needs Land, a mesh"), "ERROR")
+    _draw_parameters(layout, ob.libocean, sea_panels.FOAM)
+    layout.operator(trees.AddTrees.bl_idname, icon="OUTLINER_OB_POINTCLOUD")
 
 
-class CoastBakePanel(_Panel, bpy.types.Panel):
+@PANELS.add("coast_bake", "Bake")
+def bake_panel(layout, ob, context) -> None:
     """The coast as files, which play without the add-on"""
-
-    bl_idname = "LIBOCEAN_PT_coast_bake"
-    bl_parent_id = CoastPanel.bl_idname
-    bl_label = "Bake"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @never_raises
-    def draw(self, context) -> None:
-        sea_panels.draw_bake(self.layout, context.object, context.scene)
+    sea_panels.draw_bake(layout, ob, context.scene)
 
 
-CLASSES = (
-    CoastPanel,
-    CoastWavesPanel,
-    CoastSpectrumPanel,
-    CoastBedPanel,
-    CoastLookPanel,
-    CoastBakePanel,
-)
+CLASSES = tuple(PANELS.classes)
 
-register, unregister = bpy.utils.register_classes_factory(CLASSES)
+register, unregister = registration.functions(CLASSES)

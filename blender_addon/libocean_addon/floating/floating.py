@@ -13,9 +13,9 @@ import contextlib
 
 import bpy
 
-from ..shared import changes, meshes
+from ..shared import changes, meshes, subject_panel
 from ..shared.compat import tr
-from ..shared.drawing import field, never_raises, place_labels, say
+from ..shared.drawing import field, say
 from ..shared.limits import Limited
 from ..shared.subject import Moment
 from ..shared.table_properties import settings_of
@@ -225,34 +225,25 @@ class FreeFloat(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class FloatPanel(bpy.types.Panel):
+def _floats(ob) -> bool:
+    return ob.libocean_float.ocean is not None
+
+
+@subject_panel.Panels(_floats, place="object").add("float", "Float (libocean)", closed=False)
+def float_panel(layout, ob, _context) -> None:
     """How the active object floats"""
-
-    bl_idname = "LIBOCEAN_PT_float"
-    bl_label = "Float (libocean)"
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "object"
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return context.object is not None and context.object.libocean_float.ocean is not None
-
-    @never_raises
-    def draw(self, context) -> None:
-        place_labels(self.layout)
-        if context.object.libocean_float.problem:
-            say(self.layout, context.object.libocean_float.problem, "ERROR")
-        field(self.layout, context.object.libocean_float, "ocean")
-        for name in ("length", "width", "use_tilt"):
-            self.layout.prop(context.object.libocean_float, name)
-        row = self.layout.row(align=True)
-        row.operator(BakeFloat.bl_idname, text="Bake")
-        row.operator(FreeFloat.bl_idname, text="Free")
-        self.layout.operator(RemoveFloat.bl_idname)
+    if ob.libocean_float.problem:
+        say(layout, ob.libocean_float.problem, "ERROR")
+    field(layout, ob.libocean_float, "ocean")
+    for name in ("length", "width", "use_tilt"):
+        layout.prop(ob.libocean_float, name)
+    row = layout.row(align=True)
+    row.operator(BakeFloat.bl_idname, text="Bake")
+    row.operator(FreeFloat.bl_idname, text="Free")
+    layout.operator(RemoveFloat.bl_idname)
 
 
-CLASSES = (FloatSettings, AddFloat, RemoveFloat, BakeFloat, FreeFloat, FloatPanel)
+CLASSES = (FloatSettings, AddFloat, RemoveFloat, BakeFloat, FreeFloat, float_panel)
 
 
 def _draw_float(self, _context) -> None:

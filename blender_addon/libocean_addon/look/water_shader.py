@@ -13,6 +13,7 @@ is glass with absorption and scattering.
 
 from __future__ import annotations
 
+import functools
 import math
 
 from ..sea import hull_nodes
@@ -45,17 +46,7 @@ def clearness(kind: dict) -> tuple[float, ...]:
 
 def _declare(group) -> None:
     """The sockets, which an artist may tune."""
-
-    def number(name: str, default: float, low: float, high: float, description: str) -> None:
-        compat.add_socket(
-            group,
-            name,
-            "NodeSocketFloat",
-            default_value=default,
-            min_value=low,
-            max_value=high,
-            description=description,
-        )
+    number = functools.partial(compat.add_number, group)
 
     def triple(name: str, kind: str, default, description: str) -> None:
         compat.add_socket(

@@ -8,9 +8,9 @@ import bpy
 
 from ..shared import registration, subject_panel
 from ..shared.compat import tr_label
-from ..shared.drawing import draws, field, say
-from . import crest_operators, crests, node_group
-from .panels import OceanPanel
+from ..shared.drawing import field, say
+from . import crest_operators, crests
+from .panels import PANELS
 
 
 def _told(row) -> str:
@@ -52,57 +52,37 @@ def _draw_crest(layout, row) -> None:
     layout.prop(row, "use_direction")
 
 
-class CrestsPanel(subject_panel.ModifierPanel, bpy.types.Panel):
+@PANELS.add("crests", "Crests on Cue")
+def crests_panel(layout, ob, _context) -> None:
     """Crests that the sea makes at a place and a frame"""
-
-    bl_idname = "LIBOCEAN_PT_crests"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Crests on Cue"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    modifiers = staticmethod(node_group.modifiers)
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        settings = ob.libocean
-        row = layout.row()
-        row.template_list(
-            CrestList.bl_idname, "", settings, "crests", settings, "active_crest", rows=2
-        )
-        column = row.column(align=True)
-        column.operator(crest_operators.AddCrest.bl_idname, text="", icon="ADD")
-        remove = column.operator(crest_operators.RemoveCrest.bl_idname, text="", icon="REMOVE")
-        remove.index = settings.active_crest
-        if settings.active_crest < len(settings.crests):
-            _draw_crest(layout, settings.crests[settings.active_crest])
-        layout.operator(crest_operators.FindCrest.bl_idname, icon="VIEWZOOM")
+    settings = ob.libocean
+    row = layout.row()
+    row.template_list(CrestList.bl_idname, "", settings, "crests", settings, "active_crest", rows=2)
+    column = row.column(align=True)
+    column.operator(crest_operators.AddCrest.bl_idname, text="", icon="ADD")
+    remove = column.operator(crest_operators.RemoveCrest.bl_idname, text="", icon="REMOVE")
+    remove.index = settings.active_crest
+    if settings.active_crest < len(settings.crests):
+        _draw_crest(layout, settings.crests[settings.active_crest])
+    layout.operator(crest_operators.FindCrest.bl_idname, icon="VIEWZOOM")
 
 
-class EmptyPanel(bpy.types.Panel):
+def _marks_a_crest(ob) -> bool:
+    return ob.type == "EMPTY" and _row_of(ob) is not None
+
+
+@subject_panel.Panels(_marks_a_crest, place="object").add("crest", "Crest (libocean)", closed=False)
+def empty_panel(layout, ob, _context) -> None:
     """The crest at the active empty"""
-
-    bl_idname = "LIBOCEAN_PT_crest"
-    bl_label = "Crest (libocean)"
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "object"
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        ob = context.object
-        return ob is not None and ob.type == "EMPTY" and _row_of(ob) is not None
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        row = _row_of(ob)
-        if row.id_data.libocean.problem:
-            say(layout, row.id_data.libocean.problem, "ERROR")
-        _draw_crest(layout, row)
-        line = layout.row(align=True)
-        line.operator(crest_operators.GoToCrest.bl_idname)
-        line.operator(crest_operators.RemoveCrest.bl_idname, text="Remove")
+    row = _row_of(ob)
+    if row.id_data.libocean.problem:
+        say(layout, row.id_data.libocean.problem, "ERROR")
+    _draw_crest(layout, row)
+    line = layout.row(align=True)
+    line.operator(crest_operators.GoToCrest.bl_idname)
+    line.operator(crest_operators.RemoveCrest.bl_idname, text="Remove")
 
 
-CLASSES = (CrestList, CrestsPanel, EmptyPanel)
+CLASSES = (CrestList, crests_panel, empty_panel)
 
 register, unregister = registration.functions(CLASSES)

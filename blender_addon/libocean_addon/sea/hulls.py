@@ -299,46 +299,33 @@ class HullsList(bpy.types.UIList):
         layout.prop(item, "name", text="", emboss=False, icon=icon)
 
 
-class HullsPanel(subject_panel.ModifierPanel, bpy.types.Panel):
+@subject_panel.Panels(node_group.modifiers, "libocean").add("hulls", "Wakes", parent="ocean")
+def hulls_panel(layout, ob, _context) -> None:
     """The hulls that make waves on the sea"""
-
-    bl_idname = "LIBOCEAN_PT_hulls"
-    bl_parent_id = "LIBOCEAN_PT_ocean"
-    bl_label = "Wakes"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    modifiers = staticmethod(node_group.modifiers)
-
-    @drawing.draws
-    def draw(self, layout, ob, _context) -> None:
-        settings = ob.libocean
-        if len(settings.hulls) == 0:
-            text = tr_label("Object > Wake on Ocean has an object make waves")
-            drawing.say(layout, text, "INFO")
-            return
-        row = layout.row()
-        row.template_list(
-            HullsList.bl_idname, "", settings, "hulls", settings, "active_hull", rows=2
-        )
-        column = row.column(align=True)
-        column.operator(UpdateWakes.bl_idname, text="", icon="FILE_REFRESH")
-        column.operator(RemoveWake.bl_idname, text="", icon="REMOVE")
-        hull = active(ob)
-        if hull is None:
-            return
-        if hull.problem:
-            drawing.say(layout, hull.problem, "ERROR")
-        if hull.source is not None:
-            drawing.field(layout, hull, "source")
-            layout.prop(settings, "use_hull_cut")
-        for entry in hull_values.HULLS.entries(items=True):
-            if entry["key"] in _SHOWN:
-                parameter_fields.draw(
-                    layout.column(), hull, entry, hull_values.HULLS, entry["label"]
-                )
+    settings = ob.libocean
+    if len(settings.hulls) == 0:
+        text = tr_label("Object > Wake on Ocean has an object make waves")
+        drawing.say(layout, text, "INFO")
+        return
+    row = layout.row()
+    row.template_list(HullsList.bl_idname, "", settings, "hulls", settings, "active_hull", rows=2)
+    column = row.column(align=True)
+    column.operator(UpdateWakes.bl_idname, text="", icon="FILE_REFRESH")
+    column.operator(RemoveWake.bl_idname, text="", icon="REMOVE")
+    hull = active(ob)
+    if hull is None:
+        return
+    if hull.problem:
+        drawing.say(layout, hull.problem, "ERROR")
+    if hull.source is not None:
+        drawing.field(layout, hull, "source")
+        layout.prop(settings, "use_hull_cut")
+    for entry in hull_values.HULLS.entries(items=True):
+        if entry["key"] in _SHOWN:
+            parameter_fields.draw(layout.column(), hull, entry, hull_values.HULLS, entry["label"])
 
 
-CLASSES = (AddWake, RemoveWake, UpdateWakes, HullsList, HullsPanel)
+CLASSES = (AddWake, RemoveWake, UpdateWakes, HullsList, hulls_panel)
 
 
 def _draw_wake(self, _context) -> None:

@@ -14,7 +14,7 @@ from ..bake import bake, bake_record, bake_state, farm
 from ..look import material
 from ..shared import drafts, parameter_fields, registration, resolutions, subject_panel
 from ..shared.compat import tr_label
-from ..shared.drawing import draws, field, is_narrow, mask_field, never_raises, place_labels, say
+from ..shared.drawing import field, is_narrow, mask_field, place_labels, say
 from ..spray import spray
 from ..volumes import volumes
 from . import facts, hints, node_group, operators, parameter_values, records
@@ -141,31 +141,25 @@ def draw_waves(layout, settings) -> None:
     column.operator(operators.RemoveWaves.bl_idname, text="", icon="REMOVE")
 
 
-class _Panel(subject_panel.ModifierPanel):
-    modifiers = staticmethod(node_group.modifiers)
+PANELS = subject_panel.Panels(node_group.modifiers, "libocean")
 
 
-class OceanPanel(_Panel, bpy.types.Panel):
+@PANELS.add("ocean", "Ocean (libocean)", closed=False)
+def ocean_panel(layout, ob, context) -> None:
     """The sea of the active object"""
-
-    bl_idname = "LIBOCEAN_PT_ocean"
-    bl_label = "Ocean (libocean)"
-
-    @draws
-    def draw(self, layout, ob, context) -> None:
-        subject_panel.draw_files(
-            layout, operators.LoadSeaPreset, load=operators.LoadSea, save=operators.SaveSea
-        )
-        playing = ob.libocean.use_bake and bake_record.exists(ob)
-        problems = bake_state.faults(ob) if playing else [ob.libocean.problem]
-        units = tr_label("The sea takes a Blender unit for a metre")
-        subject_panel.draw_problems(layout, context.scene, problems, units)
-        share = drafts.progress(ob.name_full) or 0.0
-        working = tr_label("A draft; the whole sea: {:.0%}", share)
-        stopped = tr_label("A draft, without the past of its foam")
-        whole_sea.draw_draft(layout, ob.name_full, working, stopped)
-        subject_panel.draw_facts(layout, ob, facts)
-        _draw_hints(layout, ob, ob.evaluated_get(context.view_layer.depsgraph))
+    subject_panel.draw_files(
+        layout, operators.LoadSeaPreset, load=operators.LoadSea, save=operators.SaveSea
+    )
+    playing = ob.libocean.use_bake and bake_record.exists(ob)
+    problems = bake_state.faults(ob) if playing else [ob.libocean.problem]
+    units = tr_label("The sea takes a Blender unit for a metre")
+    subject_panel.draw_problems(layout, context.scene, problems, units)
+    share = drafts.progress(ob.name_full) or 0.0
+    working = tr_label("A draft; the whole sea: {:.0%}", share)
+    stopped = tr_label("A draft, without the past of its foam")
+    whole_sea.draw_draft(layout, ob.name_full, working, stopped)
+    subject_panel.draw_facts(layout, ob, facts)
+    _draw_hints(layout, ob, ob.evaluated_get(context.view_layer.depsgraph))
 
 
 def _draw_hints(layout, ob, seen) -> None:
@@ -209,102 +203,64 @@ def _draw_system(layout, settings, is_shown) -> None:
             draw_parameter(layout, system, entry)
 
 
-class WavesPanel(_Panel, bpy.types.Panel):
+@PANELS.add("waves", "Sea", closed=False, labels=False)
+def waves_panel(layout, ob, _context) -> None:
     """The sea as an artist changes it"""
-
-    bl_idname = "LIBOCEAN_PT_waves"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Sea"
-
-    @never_raises
-    def draw(self, context) -> None:
-        draw_sea(self.layout, context.object)
+    draw_sea(layout, ob)
 
 
-class SpectrumPanel(_Panel, bpy.types.Panel):
+@PANELS.add("spectrum", "Spectrum", labels=False)
+def spectrum_panel(layout, ob, _context) -> None:
     """The wave systems of the sea with their spectra, and the water they run on"""
-
-    bl_idname = "LIBOCEAN_PT_spectrum"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Spectrum"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @never_raises
-    def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean
-        draw_spectrum(layout, settings)
-        layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
-        layout.separator()
-        _draw_parameters(layout, settings, SPECTRUM)
+    settings = ob.libocean
+    draw_spectrum(layout, settings)
+    layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
+    layout.separator()
+    _draw_parameters(layout, settings, SPECTRUM)
 
 
-class LookPanel(_Panel, bpy.types.Panel):
+@PANELS.add("look", "Look")
+def look_panel(layout, ob, context) -> None:
     """How the sea is shown"""
-
-    bl_idname = "LIBOCEAN_PT_look"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Look"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @draws
-    def draw(self, layout, ob, context) -> None:
-        settings = ob.libocean
-        layout.operator_menu_enum(
-            material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
-        )
-        _draw_parameters(layout, settings, ("resolution",))
-        _draw_map_size(layout, ob)
-        names = ["viewport_resolution", "render_resolution"]
-        if settings.kind == "PATCH":
-            names.append("mesh_resolution")
-        column = layout.column(align=True)
-        for name in names:
-            text, listed = SHORT[name], resolutions.listed(name)
-            field(column, settings, listed, text=text, context=translations.SEA)
-        if settings.kind == "HORIZON":
-            layout.prop(settings, "horizon_distance")
-            layout.prop(settings, "horizon_vertices")
-        column = layout.column(heading="Attributes")
-        for name in ("use_foam", "use_velocity", "use_normal"):
-            column.prop(settings, name)
-        _draw_parameters(layout, settings, FOAM)
-        mask_field(layout, settings, ob)
-        layout.prop(settings, "follow_world")
+    settings = ob.libocean
+    layout.operator_menu_enum(
+        material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
+    )
+    _draw_parameters(layout, settings, ("resolution",))
+    _draw_map_size(layout, ob)
+    names = ["viewport_resolution", "render_resolution"]
+    if settings.kind == "PATCH":
+        names.append("mesh_resolution")
+    column = layout.column(align=True)
+    for name in names:
+        text, listed = SHORT[name], resolutions.listed(name)
+        field(column, settings, listed, text=text, context=translations.SEA)
+    if settings.kind == "HORIZON":
+        layout.prop(settings, "horizon_distance")
+        layout.prop(settings, "horizon_vertices")
+    column = layout.column(heading="Attributes")
+    for name in ("use_foam", "use_velocity", "use_normal"):
+        column.prop(settings, name)
+    _draw_parameters(layout, settings, FOAM)
+    mask_field(layout, settings, ob)
+    layout.prop(settings, "follow_world")
 
 
-class SprayPanel(_Panel, bpy.types.Panel):
+@PANELS.add("spray", "Spray", switch="use_spray")
+def spray_panel(layout, ob, _context) -> None:
     """Drops that the wind tears off"""
-
-    bl_idname = "LIBOCEAN_PT_spray"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Spray"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        self.layout.prop(context.object.libocean, "use_spray", text="")
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        layout.active = ob.libocean.use_spray
-        for name in ("lifetime", "density", "most", "size"):
-            layout.prop(ob.libocean, f"spray_{name}")
-        field(layout, ob.libocean, "spray_material")
-        text, icon = spray.state_of(ob)
-        say(layout, text, icon)
+    layout.active = ob.libocean.use_spray
+    for name in ("lifetime", "density", "most", "size"):
+        layout.prop(ob.libocean, f"spray_{name}")
+    field(layout, ob.libocean, "spray_material")
+    text, icon = spray.state_of(ob)
+    say(layout, text, icon)
 
 
-class BakePanel(_Panel, bpy.types.Panel):
+@PANELS.add("bake", "Bake")
+def bake_panel(layout, ob, context) -> None:
     """The sea as files, which play without the add-on"""
-
-    bl_idname = "LIBOCEAN_PT_bake"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Bake"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @never_raises
-    def draw(self, context) -> None:
-        draw_bake(self.layout, context.object, context.scene)
+    draw_bake(layout, ob, context.scene)
 
 
 def draw_bake(layout, ob, scene) -> None:
@@ -329,64 +285,40 @@ def draw_bake(layout, ob, scene) -> None:
         say(layout, text, icon)
 
 
-class VolumesPanel(_Panel, bpy.types.Panel):
+@PANELS.add("volumes", "Volumes")
+def volumes_panel(layout, ob, context) -> None:
     """The water in a box as OpenVDB files"""
-
-    bl_idname = "LIBOCEAN_PT_volumes"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Volumes"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @draws
-    def draw(self, layout, ob, context) -> None:
-        settings = ob.libocean.volumes
-        field(layout, settings, "directory")
-        field(layout, settings, "box")
-        if settings.box == "OBJECT":
-            field(layout, settings, "box_object")
-        elif settings.box == "CORNERS":
-            layout.column(align=True).prop(settings, "box_low")
-            layout.column(align=True).prop(settings, "box_high")
-        column = layout.column(align=True)
-        column.prop(settings, "voxel")
-        column.prop(settings, "velocity_voxel")
-        layout.prop(settings, "use_half")
-        layout.operator(volumes.WriteVolumes.bl_idname, icon="VOLUME_DATA")
-        for text, icon in bake_state.of_volumes(ob, context.scene):
-            say(layout, text, icon)
+    settings = ob.libocean.volumes
+    field(layout, settings, "directory")
+    field(layout, settings, "box")
+    if settings.box == "OBJECT":
+        field(layout, settings, "box_object")
+    elif settings.box == "CORNERS":
+        layout.column(align=True).prop(settings, "box_low")
+        layout.column(align=True).prop(settings, "box_high")
+    column = layout.column(align=True)
+    column.prop(settings, "voxel")
+    column.prop(settings, "velocity_voxel")
+    layout.prop(settings, "use_half")
+    layout.operator(volumes.WriteVolumes.bl_idname, icon="VOLUME_DATA")
+    for text, icon in bake_state.of_volumes(ob, context.scene):
+        say(layout, text, icon)
 
 
-class AdvancedPanel(_Panel, bpy.types.Panel):
+@PANELS.add("advanced", "Advanced")
+def advanced_panel(layout, ob, _context) -> None:
     """The time of the sea, and settings for experts"""
-
-    bl_idname = "LIBOCEAN_PT_advanced"
-    bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Advanced"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        settings = ob.libocean
-        layout.prop(settings, "use_custom_time")
-        if settings.use_custom_time:
-            layout.prop(settings, "custom_time")
-        layout.prop(settings, "use_scene_frame_rate")
-        _draw_parameters(layout, settings, TIME)
-        layout.separator()
-        _draw_parameters(layout, settings, ADVANCED)
-        _draw_map_size(layout, ob)
+    settings = ob.libocean
+    layout.prop(settings, "use_custom_time")
+    if settings.use_custom_time:
+        layout.prop(settings, "custom_time")
+    layout.prop(settings, "use_scene_frame_rate")
+    _draw_parameters(layout, settings, TIME)
+    layout.separator()
+    _draw_parameters(layout, settings, ADVANCED)
+    _draw_map_size(layout, ob)
 
 
-CLASSES = (
-    WavesList,
-    OceanPanel,
-    WavesPanel,
-    SpectrumPanel,
-    LookPanel,
-    SprayPanel,
-    BakePanel,
-    VolumesPanel,
-    AdvancedPanel,
-)
+CLASSES = (WavesList, *PANELS.classes)
 
 register, unregister = registration.functions(CLASSES)

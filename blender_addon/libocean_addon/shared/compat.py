@@ -35,6 +35,12 @@ def add_socket(group, name: str, kind: str, *, output: bool = False, **settings)
     return socket
 
 
+def add_number(group, name: str, default: float, low: float, high: float, description: str):
+    """A new input of a node group, a number that an artist may tune."""
+    limits = {"min_value": low, "max_value": high, "description": description}
+    return add_socket(group, name, "NodeSocketFloat", default_value=default, **limits)
+
+
 def hide_inputs(group) -> None:
     """Out of the modifier's panel, where Blender lets us: from 3.5 on."""
     if hasattr(group, "interface"):  # 4.0
@@ -274,9 +280,9 @@ def add_asset_library(name: str, folder: Path) -> None:
     preferences.is_dirty = True  # without it Blender would not save them at its end
 
 
-def asset_menu():
-    """Returns the menu of the Asset Browser for operators that make assets."""
-    return getattr(bpy.types, "ASSETBROWSER_MT_catalog", None) or bpy.types.ASSETBROWSER_MT_edit
+_MENUS = ("ASSETBROWSER_MT_catalog", "ASSETBROWSER_MT_edit")
+ASSET_MENU = next(name for name in _MENUS if hasattr(bpy.types, name))
+"""The menu of the Asset Browser for operators that make assets."""
 
 
 # Volumes ----------------------------------------------------------------------

@@ -37,13 +37,14 @@ def never_raises(draw):
     return drawn
 
 
-def draws(fields):
-    """Returns the draw function of a panel, with labels in their places, whose fields the method
-    fields(self, layout, object, context) draws."""
+def draws(fields, labels: bool = True):
+    """Returns the draw function of a panel whose fields fields(layout, object, context) draws.
+    labels: whether they are in their places before it does."""
 
     def draw(self, context) -> None:
-        place_labels(self.layout)
-        fields(self, self.layout, context.object, context)
+        if labels:
+            place_labels(self.layout)
+        fields(self.layout, context.object, context)
 
     return never_raises(draw)
 

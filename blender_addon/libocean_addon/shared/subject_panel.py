@@ -1,33 +1,76 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the panels of all subjects share: the panel below a modifier, the row of files, the lines on
+"""What the panels of all subjects share: how they are made, the row of files, the lines on
 problems and facts, and settings of an object that change what it shows unseen."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+
+import bpy
 
 from .. import translations
-from .drawing import is_narrow, say, say_state
+from .drawing import draws, is_narrow, say, say_state
 
 _EVEN = 1e-4  # of scales that are meant to be one
 
 
-class ModifierPanel:
-    """A panel that objects with one of the add-on's modifiers have."""
+class Panels:
+    """The panels of objects with one of the add-on's modifiers or settings, made by add() out of
+    functions that draw them. `classes` are those that Blender registers; the first one is the
+    parent of those that name no other."""
 
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "modifier"
+    def __init__(self, has: Callable, settings: str = "", place: str = "modifier") -> None:
+        """has(object): whether it has them, such as its modifiers of a subject. settings: the
+        attribute of an object that has the properties of switches. place: Blender's word for the
+        tab of the editor."""
+        self.has, self.settings, self.place = has, settings, place
+        self.classes: list[type] = []
 
-    @staticmethod
-    def modifiers(shown) -> list:
-        """Returns the modifiers of an object that have the panel; a subclass says which."""
-        raise NotImplementedError
+    def add(
+        self,
+        name: str,
+        label: str,
+        *,
+        parent: str = "",
+        closed: bool = True,
+        labels: bool = True,
+        switch: str = "",
+        where: Callable = lambda _ob: True,
+    ) -> Callable[[Callable], type]:
+        """Returns what makes fields(layout, object, context) the panel LIBOCEAN_PT_name. parent:
+        the end of another one's name. labels: whether they are in their places before it draws.
+        switch: the property in its header. where(object): whether an object has it."""
 
-    @classmethod
-    def poll(cls, context) -> bool:
-        return context.object is not None and bool(cls.modifiers(context.object))
+        def made(fields: Callable) -> type:
+            class Panel(bpy.types.Panel):
+                __doc__ = fields.__doc__
+                bl_idname = f"LIBOCEAN_PT_{name}"
+                bl_label = label
+                bl_options = {"DEFAULT_CLOSED"} if closed else set()
+                bl_space_type = "PROPERTIES"
+                bl_region_type = "WINDOW"
+                bl_context = self.place
+                draw = draws(fields, labels)
+
+                @classmethod
+                def poll(cls, context) -> bool:
+                    ob = context.object
+                    return ob is not None and bool(self.has(ob) and where(ob))
+
+            def header(layout, ob, _context) -> None:
+                layout.prop(getattr(ob, self.settings), switch, text="")
+
+            if parent:
+                Panel.bl_parent_id = f"LIBOCEAN_PT_{parent}"
+            elif self.classes:
+                Panel.bl_parent_id = self.classes[0].bl_idname
+            if switch:
+                Panel.draw_header = draws(header, labels=False)
+            self.classes.append(Panel)
+            return Panel
+
+        return made
 
 
 def draw_files(layout, preset, *, load, save) -> None:

@@ -102,16 +102,8 @@ _CONTRAST = 2.4  # Blender's noise has a deviation of about 0.13 around 0.5
 
 
 def _declare(group) -> None:
-    for name, default, low, high, description in _NUMBERS:
-        compat.add_socket(
-            group,
-            name,
-            "NodeSocketFloat",
-            default_value=default,
-            min_value=low,
-            max_value=high,
-            description=description,
-        )
+    for row in _NUMBERS:
+        compat.add_number(group, *row)
     for name, albedo in ALBEDOS.items():
         compat.add_socket(group, f"{name} Colour", "NodeSocketColor", default_value=(*albedo, 1.0))
     compat.add_socket(

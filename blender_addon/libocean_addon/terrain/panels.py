@@ -7,12 +7,10 @@ look.
 
 from __future__ import annotations
 
-import bpy
-
 from .. import translations, whole_sea
-from ..shared import drafts, parameter_fields, subject_panel
+from ..shared import drafts, parameter_fields, registration, subject_panel
 from ..shared.compat import tr_label
-from ..shared.drawing import draws, never_raises, place_labels, say
+from ..shared.drawing import say
 from ..shared.property_texts import pairs_of
 from . import facts, node_group, operators
 from .parameter_values import is_measured, is_on, is_placed, is_replaced
@@ -93,170 +91,90 @@ def _draw_breaks(column, settings) -> None:
     column.operator(operators.AddBreak.bl_idname, icon="ADD")
 
 
-class ObjectPanel(subject_panel.ModifierPanel):
-    """A panel that objects with a terrain have"""
-
-    modifiers = staticmethod(node_group.modifiers)
+PANELS = subject_panel.Panels(node_group.modifiers, "libocean_terrain")
 
 
-class TerrainPanel(ObjectPanel, bpy.types.Panel):
+def _is_placed(ob) -> bool:
+    return is_placed(ob.libocean_terrain)
+
+
+@PANELS.add("terrain", "Terrain (libocean)", closed=False)
+def terrain_panel(layout, ob, context) -> None:
     """The terrain of the active object"""
-
-    bl_idname = "LIBOCEAN_PT_terrain"
-    bl_label = "Terrain (libocean)"
-
-    @draws
-    def draw(self, layout, ob, context) -> None:
-        subject_panel.draw_files(
-            layout,
-            operators.LoadTerrainPreset,
-            load=operators.LoadTerrain,
-            save=operators.SaveTerrain,
-        )
-        units = tr_label("The land takes a Blender unit for a metre")
-        subject_panel.draw_problems(layout, context.scene, [ob.libocean_terrain.problem], units)
-        share = drafts.progress(ob.name_full)
-        follows = tr_label("A draft; the whole land follows")
-        if share:
-            follows = tr_label("A draft; the whole land follows: {:.0%}", share)
-        stopped = tr_label("A draft, with fewer samples")
-        whole_sea.draw_draft(layout, ob.name_full, follows, stopped)
-        subject_panel.draw_facts(layout, ob, facts)
-        seen = ob.evaluated_get(context.view_layer.depsgraph)
-        for text in facts.hints_of(ob, seen, context.scene):
-            say(layout, text, "ERROR")
+    subject_panel.draw_files(
+        layout,
+        operators.LoadTerrainPreset,
+        load=operators.LoadTerrain,
+        save=operators.SaveTerrain,
+    )
+    units = tr_label("The land takes a Blender unit for a metre")
+    subject_panel.draw_problems(layout, context.scene, [ob.libocean_terrain.problem], units)
+    share = drafts.progress(ob.name_full)
+    follows = tr_label("A draft; the whole land follows")
+    if share:
+        follows = tr_label("A draft; the whole land follows: {:.0%}", share)
+    stopped = tr_label("A draft, with fewer samples")
+    whole_sea.draw_draft(layout, ob.name_full, follows, stopped)
+    subject_panel.draw_facts(layout, ob, facts)
+    seen = ob.evaluated_get(context.view_layer.depsgraph)
+    for text in facts.hints_of(ob, seen, context.scene):
+        say(layout, text, "ERROR")
 
 
-class LandPanel(ObjectPanel, bpy.types.Panel):
+@PANELS.add("terrain_land", "Land", closed=False)
+def land_panel(layout, ob, _context) -> None:
     """The size of the tile and its heights"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_land"
-    bl_parent_id = TerrainPanel.bl_idname
-    bl_label = "Land"
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        _draw_parameters(layout, ob.libocean_terrain, LAND)
+    _draw_parameters(layout, ob.libocean_terrain, LAND)
 
 
-class PlacedPanel(ObjectPanel, bpy.types.Panel):
+@PANELS.add("terrain_placed", "Place", parent="terrain_land", closed=False, where=_is_placed)
+def placed_panel(layout, ob, _context) -> None:
     """Where a land lies that exists once, and what it begins with"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_placed"
-    bl_parent_id = LandPanel.bl_idname
-    bl_label = "Place"
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        return super().poll(context) and is_placed(context.object.libocean_terrain)
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        _draw_parameters(layout, ob.libocean_terrain, PLACED)
+    _draw_parameters(layout, ob.libocean_terrain, PLACED)
 
 
-def _draw_group(layout, settings, group: str) -> None:
-    """Draws the parameters of a group that shapes the land; its switch is in the header."""
-    place_labels(layout)
-    column = layout.column()
-    column.active = is_on(settings, group)
-    _draw_parameters(column, settings, GROUPS[group])
+def _add_group(group: str, label: str, tooltip: str, **settings) -> None:
+    """Adds the panel of a group that shapes the land; its switch is in the header."""
+
+    def fields(layout, ob, _context) -> None:
+        column = layout.column()
+        column.active = is_on(ob.libocean_terrain, group)
+        _draw_parameters(column, ob.libocean_terrain, GROUPS[group])
+
+    fields.__doc__ = tooltip
+    PANELS.add(f"terrain_{group}", label, switch=f"use_{group}", **settings)(fields)
 
 
-class _SectionPanel(ObjectPanel):
-    """The panel of a section that a checkbox in its header switches on."""
-
-    bl_parent_id = TerrainPanel.bl_idname
-    bl_options = {"DEFAULT_CLOSED"}
-    group = ""
-    needs_place = True
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        if not super().poll(context):
-            return False
-        return not cls.needs_place or is_placed(context.object.libocean_terrain)
-
-    @never_raises
-    def draw_header(self, context) -> None:
-        self.layout.prop(context.object.libocean_terrain, f"use_{self.group}", text="")
-
-    @never_raises
-    def draw(self, context) -> None:
-        _draw_group(self.layout, context.object.libocean_terrain, self.group)
+_add_group("gullies", "Gullies", "Stripes along the fall line, which shape slopes as rain does")
+_STREAMS = "Valleys that streams cut into a land that exists once"
+_add_group("stream", "Streams", _STREAMS, where=_is_placed)
+_SHORE = "Beaches and cliffs where a land that exists once meets the water"
+_add_group("coast", "Shore", _SHORE, where=_is_placed)
 
 
-class GulliesPanel(_SectionPanel, bpy.types.Panel):
-    """Stripes along the fall line, which shape slopes as rain does"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_gullies"
-    bl_label = "Gullies"
-    group = "gullies"
-    needs_place = False
-
-
-class StreamsPanel(_SectionPanel, bpy.types.Panel):
-    """Valleys that streams cut into a land that exists once"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_stream"
-    bl_label = "Streams"
-    group = "stream"
-
-
-class ShorePanel(_SectionPanel, bpy.types.Panel):
-    """Beaches and cliffs where a land that exists once meets the water"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_coast"
-    bl_label = "Shore"
-    group = "coast"
-
-
-class SpectrumPanel(ObjectPanel, bpy.types.Panel):
+@PANELS.add("terrain_spectrum", "Spectrum")
+def spectrum_panel(layout, ob, _context) -> None:
     """The law of the heights: how much each wavelength has of them, and in which direction"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_spectrum"
-    bl_parent_id = TerrainPanel.bl_idname
-    bl_label = "Spectrum"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        settings = ob.libocean_terrain
-        if is_measured(settings):
-            say(layout, tr_label("The spectrum is measured: it has no law"), "INFO")
-        _draw_parameters(layout, settings, SPECTRUM)
+    settings = ob.libocean_terrain
+    if is_measured(settings):
+        say(layout, tr_label("The spectrum is measured: it has no law"), "INFO")
+    _draw_parameters(layout, settings, SPECTRUM)
 
 
-class LayersPanel(ObjectPanel, bpy.types.Panel):
+@PANELS.add("terrain_layers", "Layers")
+def layers_panel(layout, ob, _context) -> None:
     """Further tiles over the first one, each with a period and a noise of its own"""
-
-    bl_idname = "LIBOCEAN_PT_terrain_layers"
-    bl_parent_id = TerrainPanel.bl_idname
-    bl_label = "Layers"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    @draws
-    def draw(self, layout, ob, _context) -> None:
-        settings = ob.libocean_terrain
-        for number, layer in enumerate(settings.layers):
-            row = layout.row(align=True)
-            column = row.column(align=True)
-            for entry in PARAMETERS.entries(items=True):
-                parameter_fields.draw(column, layer, entry, PARAMETERS, entry["label"])
-            remove = row.operator(operators.RemoveTerrainLayer.bl_idname, text="", icon="X")
-            remove.number = number
-        layout.operator(operators.AddTerrainLayer.bl_idname, icon="ADD")
+    settings = ob.libocean_terrain
+    for number, layer in enumerate(settings.layers):
+        row = layout.row(align=True)
+        column = row.column(align=True)
+        for entry in PARAMETERS.entries(items=True):
+            parameter_fields.draw(column, layer, entry, PARAMETERS, entry["label"])
+        remove = row.operator(operators.RemoveTerrainLayer.bl_idname, text="", icon="X")
+        remove.number = number
+    layout.operator(operators.AddTerrainLayer.bl_idname, icon="ADD")
 
 
-CLASSES = (
-    TerrainPanel,
-    LandPanel,
-    PlacedPanel,
-    GulliesPanel,
-    StreamsPanel,
-    ShorePanel,
-    SpectrumPanel,
-    LayersPanel,
-)
+CLASSES = tuple(PANELS.classes)
 
-register, unregister = bpy.utils.register_classes_factory(CLASSES)
+register, unregister = registration.functions(CLASSES)

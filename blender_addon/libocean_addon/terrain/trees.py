@@ -52,16 +52,8 @@ def _declare(group) -> None:
     socket = compat.add_socket
     socket(group, "Geometry", "NodeSocketGeometry")
     socket(group, "Trees", "NodeSocketCollection", description="One is chosen for each place")
-    for name, default, low, high, description in _INPUTS:
-        socket(
-            group,
-            name,
-            "NodeSocketFloat",
-            default_value=default,
-            min_value=low,
-            max_value=high,
-            description=description,
-        )
+    for row in _INPUTS:
+        compat.add_number(group, *row)
     socket(group, "Seed", "NodeSocketInt")
     socket(group, "Camera", "NodeSocketObject", description="Around which trees grow, see Reach")
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
