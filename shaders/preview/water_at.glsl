@@ -85,6 +85,9 @@ void add_surf(inout Water water, CoastReads reads, Footprint footprint) {
 }
 #endif
 
+// [m] Waves that no map has end where the water is shallower: a sheet on sand has none.
+const float detail_depth = 0.5;
+
 Water water_at(vec2 at) {
     Footprint footprint = footprint_of(at);
     Water water;
@@ -112,7 +115,7 @@ Water water_at(vec2 at) {
     water.variance = max(water.variance, vec3(0.0, 0.0, water.variance.z));
     water.footprint = seen_footprint(water);
     float lacking = max(0.0, waves.z - resolved);  // of waves that no map has
-    lacking *= smoothstep(0.0, 0.5, water.depth);   // a sheet on sand has none
+    lacking *= smoothstep(0.0, detail_depth, water.depth);
 #if DETAIL > 0
     lacking -= add_detail(water, at, lacking);
 #endif

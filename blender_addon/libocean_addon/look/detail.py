@@ -30,7 +30,7 @@ _MADE_OF = "libocean_bands"  # custom property of a group: of which tiles
 SOCKET = "Detail"
 _EDGES = 2.0  # slope_tile_triangles
 _SHALLOW = 0.5
-"""[m] The depth below which these waves end, as shaders/preview/water_at.glsl has it."""
+"""[m] The depth below which these waves end: detail_depth of shaders/preview/water_at.glsl."""
 
 # The formulas -------------------------------------------------------------------
 
