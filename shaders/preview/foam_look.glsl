@@ -22,7 +22,16 @@ const float bubble_cell = 0.041;
 const float streak_tile = 97.0;
 // Their widest patches.
 const float streak_cell = 14.0;
-// Cover of the line where the sheet of a swash ends, of waves of half a metre and more, and the
-// depth of the sheet where the line ends [m].
-const float swash_cover = 0.5;
+// The end of a swash, of waves of half a metre and more: cover of its line of foam, and of the foam
+// behind; depths [m] below which foam opens, where the line ends, and where the foam behind it ends.
+const float swash_cover = 0.8;
+const float swash_behind = 0.3;
+const float swash_tip = 0.012;
+const float swash_line = 0.045;
 const float swash_sheet = 0.15;
+
+// Returns the cover of the foam at the end of a swash over that depth of water [m].
+float swash_foam(float depth) {
+    float line = 1.0 - smoothstep(swash_tip, swash_line, depth);
+    return mix(swash_behind, swash_cover, line) * (1.0 - smoothstep(0.0, swash_sheet, depth));
+}

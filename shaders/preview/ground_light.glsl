@@ -43,7 +43,8 @@ float ramp(float from, float to, float x) {
 float darkening_of(Ground ground, float noise) {
     float above = water_line.y > 0.0 ? ground.height - water_line.x : 1e3;
     float still = ground.still * (1.0 - ramp(0.2, 1.0, above + 0.2 * noise));
-    return 1.0 - exp(-5.0 * ground.wetted) + still;
+    float wetted = ground.wetted * max(1.0 + 0.4 * noise, 0.0);
+    return 1.0 - exp(-5.0 * wetted) + still;
 }
 
 // Returns the ground as streams, gullies and the sea have made it.

@@ -3,6 +3,7 @@
 //
 // Linear albedos of sand, Rec. 709.
 const vec3 sand_albedo = vec3(0.42, 0.36, 0.26);
-const vec3 wet_sand_albedo = vec3(0.19, 0.155, 0.11);
-// Sand below water, whose ripples shade each other.
-const vec3 bed_albedo = 0.55 * sand_albedo;
+// Water between the grains takes half of the light [Lobell and Asner 2002].
+const vec3 wet_sand_albedo = 0.5 * sand_albedo;
+// Sand below water is wet.
+const vec3 bed_albedo = wet_sand_albedo;

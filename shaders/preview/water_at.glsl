@@ -71,8 +71,9 @@ void add_surf(inout Water water, CoastReads reads, Footprint footprint) {
     vec4 traces = coast_mean(coast_traces, reads, footprint);
     float rms = 0.7071 * waves.y;
     float surf = (1.0 - water.open) * smoothstep(0.12, 0.22, rms / max(water.depth, 0.1));
-    float line = swash_cover * min(2.0 * waves.y, 1.0) * (1.0 - water.open);
-    float white = max(traces.x, line * (1.0 - smoothstep(0.0, swash_sheet, water.depth)));
+    float line = swash_foam(water.depth) * min(2.0 * waves.y, 1.0) * (1.0 - water.open);
+    // At its end the lace of foam opens.
+    float white = max(traces.x, line) * smoothstep(0.0, swash_tip, water.depth);
     float thick = white * foam_mean_thickness(white, foam_span);
     float caps = coast_count.y > 0 ? 0.0 : traces.w;
     vec2 cap = caps * vec2(1.0, foam_mean_thickness(caps, foam_span));

@@ -157,22 +157,46 @@ def test_the_net_is_white_on_the_share_that_is_covered(studio, tmp_path, cells, 
             assert spread > 0.05
 
 
+def eased(low: float, high: float, at):
+    share = np.clip((at - low) / (high - low), 0.0, 1.0)
+    return share * share * (3.0 - 2.0 * share)
+
+
+def add_numbers(ob, name: str, values) -> None:
+    layer = ob.data.attributes.new(name, "FLOAT", "POINT")
+    layer.data.foreach_set("value", values)
+    ob.data.update()
+
+
 def test_a_line_of_foam_ends_the_water_on_a_beach(studio, tmp_path):
-    """Where the attribute depth is a few centimetres; the open sea has none, and no line."""
+    """Where the attribute depth is a few centimetres, over ground that cusps raise: a line at the
+    tip, whose lace opens, and thinner foam behind. The open sea has no depth, and no line."""
     ob = plane(20.0, 2)
     studio.camera.data.ortho_scale = 20.0
-    studio.render.resolution_x = studio.render.resolution_y = 32
+    studio.render.resolution_x = studio.render.resolution_y = 128
     foam_of(ob, Pixel_Angle=1.0, Wave_Height=1.0)
     assert taken(studio, tmp_path).max() == 0.0
-    depth = ob.data.attributes.new("depth", "FLOAT", "POINT")
-    depth.data.foreach_set("value", 0.1 + 0.02 * positions(ob)[:, 0])
-    ob.data.update()
-    line = taken(studio, tmp_path)[16, :, 0]
-    at = np.linspace(-0.1, 0.3, 65)[1::2]
-    deep = np.clip(at / 0.15, 0.0, 1.0)
-    expected = np.where(at > 0.0, 0.5 * (1.0 - deep * deep * (3.0 - 2.0 * deep)), 0.0)
-    assert np.abs(line - expected).max() < 2e-3
-    assert line.max() > 0.4
+    add_numbers(ob, "depth", 0.1 + 0.01 * positions(ob)[:, 0])
+    add_numbers(ob, "cusp", np.full(len(ob.data.vertices), 0.05))
+    line = taken(studio, tmp_path)[64, :, 0]
+    at = np.linspace(-0.05, 0.15, 257)[1::2]
+    cover = 0.3 + 0.5 * (1.0 - eased(0.012, 0.045, at))
+    expected = cover * (1.0 - eased(0.0, 0.15, at)) * eased(0.0, 0.012, at)
+    assert np.abs(line - expected).max() < 0.02
+    assert line.max() > 0.6 and line[at < 0.0].max() < 0.02
+
+
+def test_foam_opens_where_the_water_ends(studio, tmp_path):
+    """No cover is cut off at the end of the water: over 12 mm of depth it fades."""
+    ob = plane(20.0, 2)
+    studio.camera.data.ortho_scale = 20.0
+    studio.render.resolution_x = studio.render.resolution_y = 64
+    foam_of(ob, Pixel_Angle=1.0, Wave_Height=0.0)
+    add_numbers(ob, "depth", 0.02 + 0.002 * positions(ob)[:, 0])
+    add_numbers(ob, "cover", np.full(len(ob.data.vertices), 0.6))
+    shown = taken(studio, tmp_path)[32, :, 0]
+    at = np.linspace(0.0, 0.04, 129)[1::2]
+    assert np.abs(shown - 0.6 * eased(0.0, 0.012, at)).max() < 0.02
 
 
 # The waves take it along ----------------------------------------------------------

@@ -70,6 +70,11 @@ def test_textures_are_as_large_as_the_library_makes_them(kind, host, tile, cell)
         ("thin_foam", "Ocean_Thin_Foam_", "_THIN_FOAM"),
         ("thick_foam", "Ocean_Thick_Foam_", "_THICK_FOAM"),
         ("foam_edge", "Ocean_Foam_Edge_", None),
+        ("swash_cover", "Ocean_Swash_Cover_", "_SWASH"),
+        ("swash_behind", "Ocean_Swash_Behind_", "_BEHIND"),
+        ("swash_tip", "Ocean_Swash_Tip_", "_TIP"),
+        ("swash_line", "Ocean_Swash_Line_", "_LINE"),
+        ("swash_sheet", "Ocean_Swash_Sheet_", "_SHEET"),
     ],
 )
 def test_foam_looks_the_same(shader, macros, nodes):

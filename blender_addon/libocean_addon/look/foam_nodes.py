@@ -26,8 +26,11 @@ _STREAK_TILE = 97.0
 _STREAK_CELL = 14.0
 _LARGER_BEGINS = 0.08
 _BUBBLES = 0.3
-_SWASH = 0.5  # the cover where the sheet of a swash ends, of waves of half a metre and more
-_SHEET = 0.15  # m, the depth of the sheet where that line ends
+_SWASH = 0.8  # the cover of the line where a swash ends, of waves of half a metre and more
+_BEHIND = 0.3  # and of the foam behind it
+_TIP = 0.012  # m, the depth of the sheet below which its foam opens
+_LINE = 0.045  # m, the depth where the line ends
+_SHEET = 0.15  # m, the depth where the foam behind it ends
 _LEAST_SHARE = 1e-3  # the formula of the sum has none of 0; this one is not seen
 _SPAN = 0.35  # foam lets no more water through where its cover is above T by this
 _HEIGHT = 0.043  # m, where the cover is above T by 1: 15 mm for foam that is just thick
@@ -83,10 +86,7 @@ def foam_mean_thickness(b: Builder, cover, span):
 
 def foam_fade(b: Builder, footprint, cell):
     """The share of foam_faded() that is the cover: 0 .. 1 from 0.1 to 1.5 cells a pixel."""
-    made = b.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
-    b.feed(b.number("DIVIDE", footprint, cell), made.inputs["Value"])
-    made.inputs["From Min"].default_value, made.inputs["From Max"].default_value = 0.1, 1.5
-    return made.outputs[0]
+    return eased(b, 0.1, 1.5, b.number("DIVIDE", footprint, cell))
 
 
 def foam_faded(b: Builder, mask, cover, footprint, cell):
@@ -110,15 +110,30 @@ def foam_bubbles(b: Builder, driven, cover, value):
     return b.number("MAXIMUM", driven, foam_mask(b, cover, value, 1.0))
 
 
-def foam_swash(b: Builder, depth, wave_height):
-    """Returns the cover of the line of foam where the sheet of a swash ends. A depth of 0 is none:
-    an attribute that is absent."""
-    made = b.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
-    b.feed(depth, made.inputs["Value"])
-    made.inputs["From Min"].default_value, made.inputs["From Max"].default_value = _SHEET, 0.0
+def foam_swash(b: Builder, depth, there, wave_height):
+    """Returns the cover of the foam where the sheet of a swash ends: a line at its tip, thinner
+    foam behind. there: 1 where a depth [m] is known, else 0."""
     high = b.number("MULTIPLY", wave_height, 2.0, clamp=True)
-    high = b.number("MULTIPLY", high, b.number("GREATER_THAN", depth, 1e-5))
-    return b.number("MULTIPLY", made.outputs[0], b.number("MULTIPLY", high, _SWASH))
+    high = b.number("MULTIPLY", high, there)
+    line = b.number("SUBTRACT", 1.0, eased(b, _TIP, _LINE, depth))
+    cover = b.number("MULTIPLY_ADD", line, _SWASH - _BEHIND, _BEHIND)
+    cover = b.number("MULTIPLY", cover, b.number("SUBTRACT", 1.0, eased(b, 0.0, _SHEET, depth)))
+    return b.number("MULTIPLY", cover, high)
+
+
+def foam_tip(b: Builder, depth, there):
+    """Returns the share of its cover that foam has at the end of a sheet, where its lace opens: 0
+    at a depth of 0, and 1 beyond the tip."""
+    opened = b.number("SUBTRACT", eased(b, 0.0, _TIP, depth), 1.0)
+    return b.number("MULTIPLY_ADD", opened, there, 1.0)
+
+
+def eased(b: Builder, low: float, high: float, value):
+    """Returns 0 up to `low`, 1 from `high` on, and a smooth step between them."""
+    made = b.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
+    b.feed(value, made.inputs["Value"])
+    made.inputs["From Min"].default_value, made.inputs["From Max"].default_value = low, high
+    return made.outputs[0]
 
 
 def footprint(b: Builder, distance, pixel_angle, view_z):

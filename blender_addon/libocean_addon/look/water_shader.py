@@ -24,7 +24,7 @@ from . import crest_nodes, foam_nodes, pixel_angle
 
 GROUP = "Ocean Water"
 HULL_CUT = "Hull Cut"
-VERSION = 7
+VERSION = 8
 MARK = "libocean_water"  # custom property of a group: the version that built it
 
 WATER_TYPES = {entry["name"]: entry for entry in libocean.water_types()}
@@ -35,7 +35,13 @@ _ROUGHNESS = 0.03
 _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
 _PLUME = (0.012, 0.060, 0.066)  # light that bubbles below the surface send back
-_BED = (0.231, 0.198, 0.143)  # bed_albedo of shaders/preview/sand.glsl
+_BED = (0.21, 0.18, 0.13)  # wet_sand_albedo of shaders/preview/sand.glsl
+# The film at the end of a swash: as the ground has it that the water has left.
+_FILM = 0.02  # m
+FILM_ROUGHNESS = 0.12
+"""The roughness of a film of water over grains of sand; chosen by eye."""
+CUSP = "cusp"
+"""The attribute of the height of the ground over the bed that `depth` counts from [m]."""
 
 
 def clearness(kind: dict) -> tuple[float, ...]:
@@ -263,10 +269,11 @@ def _foam(t: Tree, inputs) -> foam_nodes.Foam:
             found = t.node("ShaderNodeAttribute", attribute_name=name).outputs["Fac"]
             return t.number("MAXIMUM", found, hidden)
 
-        depth = t.node("ShaderNodeAttribute", attribute_name="depth").outputs["Fac"]
-        line = foam_nodes.foam_swash(t, depth, inputs["Wave Height"])
+        depth, there = _depth(t)
+        line = foam_nodes.foam_swash(t, depth, there, inputs["Wave Height"])
         line = t.number("MULTIPLY", line, inputs["Swash Line"])
         cover = t.number("MAXIMUM", stored("cover"), line)
+        cover = t.number("MULTIPLY", cover, foam_nodes.foam_tip(t, depth, there))
         cover = t.number("MULTIPLY", cover, inputs["Foam Amount"], clamp=True)
         driven = t.number("POWER", stored("foam"), 3.0)
         driven = t.number("MULTIPLY", driven, t.number("MINIMUM", inputs["Foam Amount"], 1.0))
@@ -324,11 +331,21 @@ def _volume(t: Tree, inputs):
     return t.add_shaders(absorption, scattering)
 
 
-def _over_bed(t: Tree, inputs, below):
-    """Returns the colour below the surface with that of the bed through the water over it. A depth
-    of 0 is none: an attribute that is absent."""
-    depth = t.node("ShaderNodeAttribute", attribute_name="depth").outputs["Fac"]
-    depth = t.number("MULTIPLY_ADD", t.number("LESS_THAN", depth, 1e-5), 1e4, depth)
+def _depth(t: Tree):
+    """Returns the depth of the water over the ground [m], 0 where the ground is higher, and 1 where
+    it is known: an attribute that is absent reads 0."""
+    depth, cusp = (
+        t.node("ShaderNodeAttribute", attribute_name=name).outputs["Fac"]
+        for name in ("depth", CUSP)
+    )
+    there = t.number("GREATER_THAN", t.number("ABSOLUTE", depth), 1e-7)
+    return t.number("MAXIMUM", t.number("SUBTRACT", depth, cusp), 0.0), there
+
+
+def _over_bed(t: Tree, inputs, below, depth, there):
+    """Returns the colour below the surface with that of the bed through the water over it. depth,
+    there: as of _depth()."""
+    depth = t.number("MULTIPLY_ADD", t.number("SUBTRACT", 1.0, there), 1e4, depth)
     left = t.node("ShaderNodeGamma")
     t.feed(inputs["Clearness"], left.inputs["Color"])
     t.feed(depth, left.inputs["Gamma"])
@@ -345,12 +362,16 @@ def _build(group) -> None:
     # One surface, bent alike from both sides; shaders want its normal towards the viewer.
     normal = t.scale(_bent(t, of_waves, inputs["Detail"]), side)
     slopes = _slopes(t, inputs["Roughness"], t.parts(inputs["Detail"])[2])
+    depth, there = _depth(t)
+    # Where the water thins to a film, it is as rough as the film on the ground beside it.
+    film = t.number("SUBTRACT", there, t.number("MULTIPLY", there, t.eased(0.0, _FILM, depth)))
+    slopes = t.number("MULTIPLY_ADD", film, FILM_ROUGHNESS**4, slopes)
     roughness = t.number("POWER", slopes, 0.25)
     reflectance = _reflectance(t, inputs["IOR"], normal, slopes)
 
     foam = _foam(t, inputs)
     below = t.math("ADD", inputs["Water Colour"], t.scale(inputs["Bubble Colour"], foam.bubbles))
-    below = _over_bed(t, inputs, below)
+    below = _over_bed(t, inputs, below, depth, there)
     body = t.shader("ShaderNodeBsdfDiffuse", Color=below, Normal=normal)
     body = t.add_shaders(body, _crest(t, inputs, of_waves))
     mirror = t.shader(
