@@ -16,14 +16,14 @@ single scale would make spots all of one size. Near the eye the covers have a re
 
 from __future__ import annotations
 
-from ..look import air, crest_nodes, foam_nodes
+from ..look import air, crest_nodes, foam_nodes, water_shader
 from ..shared import compat
 from ..shared.shader_builder import Tree, facing, shader_group, stored_normal
 from . import ground_relief
 from .node_group import HEIGHT, NORMAL
 
 GROUP = "Terrain Ground"
-VERSION = 6
+VERSION = 7
 MARK = "libocean_ground"  # custom property of a group: the version that built it
 
 ALBEDOS = {
@@ -34,9 +34,10 @@ ALBEDOS = {
     "Dry Grass": (0.19, 0.16, 0.075),
     "Forest": (0.028, 0.042, 0.018),
     "Sand": (0.42, 0.36, 0.26),
-    "Wet Sand": (0.19, 0.155, 0.11),
+    "Wet Sand": (0.21, 0.18, 0.13),
 }
-"""Linear albedos, chosen by eye against photographs of mountains."""
+"""Linear albedos, chosen by eye against photographs of mountains; wet sand has half of dry sand, as
+shaders/preview/sand.glsl has it."""
 
 NOWHERE = 1e5
 """[m] A line so high that nothing lies above it."""
@@ -47,6 +48,13 @@ _NUMBERS = (
     ("Dry Share", 0.0, 0.0, 1.0, "Share of dry grass far above the forest"),
     ("Sand Line", -NOWHERE, -1e5, 1e5, "Height up to which level ground is sand [m]"),
     ("Wet Line", -NOWHERE, -1e5, 1e5, "Height up to which waves wet the sand [m]"),
+    (
+        "Wet Width",
+        0.4,
+        0.001,
+        1e5,
+        "Height in which wet sand turns dry at the wet line, from 0.75 below to 1.25 above it [m]",
+    ),
     ("Line Width", 140.0, 0.0, 1e5, "Half width of the edge at a line [m]"),
     ("Sun Melt", 220.0, 0.0, 1e5, "Rise of the snow line on a slope of 1 that faces the sun [m]"),
     (
@@ -91,8 +99,8 @@ _NUMBERS = (
     *ground_relief.NUMBERS,
 )
 _WATER_IOR = 1.33
-_FILM_ROUGHNESS = 0.12
-"""The film of water on wetted ground lies over grains of sand; chosen by eye."""
+_FILM_RELIEF = 0.25
+"""The share of the ground's relief that the film of water on it has; chosen by eye."""
 _SHADE = 0.35  # share of a colour that the finer noise takes or adds
 
 # The scales of the noise, each as a share of the previous scale, and their weights.
@@ -238,6 +246,16 @@ def _by_masks(t: Tree, inputs) -> tuple:
     )
 
 
+def _dry(t: Tree, height, line, width, wetness, noise) -> list:
+    """Returns how dry sand is, 0 .. 1, with the numbers of shaders/preview/ground_light.glsl:
+    ragged at the line up to which waves wet it, and dark where they have wetted it now."""
+    above = t.number("DIVIDE", t.number("SUBTRACT", height, line), width)
+    above = t.number("MULTIPLY_ADD", noise, 0.5, above)
+    wet = t.number("MULTIPLY", wetness, t.number("MULTIPLY_ADD", noise, -2.0, -5.0))
+    bright = t.number("EXPONENT", t.number("MINIMUM", wet, 0.0))
+    return [t.number("MULTIPLY", t.eased(-0.75, 1.25, above), bright)]
+
+
 def _build(group) -> None:
     _declare(group)
     t = Tree(group)
@@ -258,10 +276,10 @@ def _build(group) -> None:
     by_masks = _by_masks(t, inputs)
     shares = t.nested("ground covers", covers, height, slopes, noise, wear, *by_masks, *given)
     # Sand is dark where waves have wetted it, by the first water most [Lobell and Asner 2002].
-    above = t.number("SUBTRACT", height, inputs["Wet Line"])
     wetness = _mask(t, "shore_wetness")
-    bright = t.number("EXPONENT", t.number("MULTIPLY", wetness, -5.0))
-    dry = t.number("MULTIPLY", t.eased(-0.3, 0.5, above), bright)
+    dry = t.nested(
+        "ground dry", _dry, height, inputs["Wet Line"], inputs["Wet Width"], wetness, noise
+    )[0]
     sand = t.mix(inputs["Wet Sand Colour"], inputs["Sand Colour"], dry)
     grain = ground_relief.Grain(t, inputs, normal, noise)
     straw = grain.straw(t)
@@ -270,7 +288,9 @@ def _build(group) -> None:
     steepness = tuple(steepness)
     for name, share in zip(_COVERS, shares, strict=True):
         if name == "Snow":  # noise and wear shade the ground, not the snow on it
-            beach = _mask(t, "beach", inputs["Beach Sand"])
+            beach = t.number("MULTIPLY_ADD", noise, 0.12, _mask(t, "beach"))
+            beach = grain.broken(t, t.eased(0.3, 0.7, beach))
+            beach = t.number("MULTIPLY", beach, inputs["Beach Sand"])
             colour = t.mix(colour, sand, beach)
             steepness = t.mix(steepness, ground_relief.STEEPNESS["Sand"][:3], beach)
             stones = foam_nodes.blend(t, stones, ground_relief.STEEPNESS["Sand"][3], beach)
@@ -282,16 +302,23 @@ def _build(group) -> None:
         colour = t.mix(colour, cover, broken)
         steepness = t.mix(steepness, ground_relief.STEEPNESS[name][:3], broken)
         stones = foam_nodes.blend(t, stones, ground_relief.STEEPNESS[name][3], broken)
+    level = normal
     colour, normal = grain.relief(t, colour, steepness, stones)
     ground = t.shader(
         "ShaderNodeBsdfDiffuse", Color=colour, Roughness=inputs["Roughness"], Normal=normal
     )
+    # A film lies over the grains and fills the hollows between them.
+    rough = t.scale(t.math("SUBTRACT", normal, level), _FILM_RELIEF)
+    filmed = t.math("NORMALIZE", t.math("ADD", level, rough))
     film = t.shader(
-        "ShaderNodeBsdfGlossy", Color=(1.0, 1.0, 1.0, 1.0), Roughness=_FILM_ROUGHNESS, Normal=normal
+        "ShaderNodeBsdfGlossy",
+        Color=(1.0, 1.0, 1.0, 1.0),
+        Roughness=water_shader.FILM_ROUGHNESS,
+        Normal=filmed,
     )
     fresnel = t.node("ShaderNodeFresnel")
     fresnel.inputs["IOR"].default_value = _WATER_IOR
-    t.feed(normal, fresnel.inputs["Normal"])
+    t.feed(filmed, fresnel.inputs["Normal"])
     # It is left for some seconds after the water: damp sand has none.
     share = t.number("MULTIPLY", fresnel.outputs[0], t.eased(0.6, 0.95, wetness))
     ground = t.mix_shaders(share, ground, film)
