@@ -9,12 +9,14 @@ import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, failing, positions, rest
 from layouts import drawn_by
 from libocean_addon.bundled import libocean
-from libocean_addon.coast import coast_job, first_coast, open_coast, panels, shore_mesh
+from libocean_addon.coast import coast_job, cusps, first_coast, open_coast, panels, shore_mesh
+from libocean_addon.coast.shore_mesh import Grid
 from libocean_addon.look import material as water_material
 from libocean_addon.sea import live as sea_live
 from libocean_addon.shared import drafts
 from libocean_addon.terrain import material as land_material
 from libocean_addon.terrain import trees
+from libocean_addon.terrain.extent import Extent
 from test_land_look import trees_on
 
 SEA = """libocean = 1
@@ -53,6 +55,7 @@ def add_coast(path, **arguments):
     """Adds the coast of a file, without materials."""
     arguments = {"cell": CELL, "use_material": False, "use_wetness": False, **arguments}
     arguments.setdefault("use_fine_shore", False)
+    arguments.setdefault("use_cusps", False)
     assert bpy.ops.libocean.add_coast(filepath=str(path), **arguments) == {"FINISHED"}
     ob = bpy.context.object
     assert ob.libocean_coast.problem == ""
@@ -182,6 +185,73 @@ def test_water_and_land_are_finer_where_they_meet(sea_file, scene):
     before = ob.data["libocean_mesh"]
     ob.libocean.waves[0].wind_speed = 8.1
     assert ob.data["libocean_mesh"] == before, "the mesh stays while values glide"
+
+
+def plane_beach(slope: float, wave_height: float) -> Grid:
+    """Returns a grid of cells of 2.5 m over a beach that rises along x, finer at the water."""
+    extent = Extent((0.0, 0.0), 2.5, (41, 121), False, is_own=False)
+    heights = np.broadcast_to(slope * (2.5 * np.arange(41) - 50.0), extent.shape)
+    normals = np.broadcast_to(np.array([-slope, 0.0, 1.0]) / np.hypot(slope, 1.0), (121, 41, 3))
+    return Grid(extent, coast_job.Bed(heights, normals, "beach"), wave_height)
+
+
+def lobes(grid: Grid, higher: np.ndarray, level: float) -> np.ndarray:
+    """Returns where water of a level ends along a beach, (places,) [m]: at the first ground above
+    it, linear between vertices."""
+    columns = np.rint(grid.places[:, :2] / 0.625).astype(int)
+    bed = grid.bed.heights
+    slope = (bed[0, 1] - bed[0, 0]) / 2.5
+    rows = np.repeat(slope * (0.625 * np.arange(161) - 50.0)[:, None], 481, axis=1)
+    rows[tuple(columns.T)] = grid.read(bed) + higher
+    first = (rows > level).argmax(axis=0)
+    low, high = (rows[first - step, np.arange(481)] for step in (1, 0))
+    return 0.625 * (first - 1 + (level - low) / (high - low))
+
+
+STATE = {"significant_wave_height": {"resolved": 0.9}, "peak_period": {"resolved": 4.4}}
+
+
+@pytest.mark.parametrize("slope", [0.04, 0.09])
+def test_water_ends_in_lobes_on_cusps_and_each_wave_in_others(slope):
+    """Of 2 to 12 m along the shore, as deep on a flat beach as on a steep one; without cusps in a
+    straight line."""
+    grid = plane_beach(slope, 1.0)
+    found = cusps.Cusps.of(grid, STATE)
+    width = cusps.swash_width(STATE, slope)
+    assert 1.0 <= found.spacing / (1.63 * width) < 2.0**0.5
+    higher, slopes = found.at(grid)
+    straight = lobes(grid, 0.0 * higher, 0.1)
+    assert np.ptp(straight) < 1e-6
+    low, high = (lobes(grid, higher, level) for level in (0.02, 0.14))
+    for line in (low, high):
+        deviation = np.std(line) / found.spacing
+        assert 0.04 < deviation < 0.12, f"{deviation:.3f} spacings, by the rule 0.07"
+        turns = np.diff(np.sign(np.diff(line)))
+        length = 2.0 * 0.625 * len(line) / np.count_nonzero(turns)
+        assert 0.2 < length / found.spacing < 1.2
+    assert np.corrcoef(low, high)[0, 1] < 0.9
+    bed = grid.read(grid.bed.heights)
+    assert not higher[(bed < grid.band[0]) | (bed > grid.band[1])].any()
+    assert np.std(slopes[(bed > 0.0) & (bed < 0.2)]) < 2.0 * slope
+
+
+def test_land_has_the_cusps_and_the_water_knows_them(sea_file):
+    ob = add_coast(sea_file, use_fine_shore=True, use_cusps=True)
+    land = ob.libocean_coast.land
+    ob.libocean_coast.use_clip = False
+    raised, heights = attribute(ob, "cusp"), positions(land)[:, 2]
+    near = (heights > 0.0) & (heights < 0.1)
+    assert 0.01 < np.std(raised[near]) < 0.1
+    assert raised.min() > -ob.libocean_coast.clip_depth, "the water goes on below"
+    assert np.array_equal(heights, attribute(land, "terrain_height"))
+    with_cusps = attribute(land, "terrain_normal")
+    ob.libocean_coast.use_cusps = False
+    assert "cusp" not in evaluated_mesh(ob).attributes
+    assert np.abs(heights - positions(land)[:, 2] - raised).max() < 2e-4
+    without = attribute(land, "terrain_normal")
+    assert np.abs(np.linalg.norm(with_cusps, axis=1) - 1.0).max() < 1e-3
+    tilted = np.abs(with_cusps - without).max(axis=1)
+    assert tilted[heights < -5.0].max() < 2e-4 and tilted[near].max() > 0.02
 
 
 def test_the_land_is_the_bed(coast):

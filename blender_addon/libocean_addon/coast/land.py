@@ -10,6 +10,7 @@ import numpy as np
 from ..shared import meshes
 from ..terrain import material as terrain_material
 from ..terrain import node_group as terrain_group
+from .cusps import Cusps
 from .shore_mesh import DRY_SAND, Grid
 
 _RUN_UP = 0.3
@@ -17,9 +18,24 @@ _RUN_UP = 0.3
 height. The value holds for a beach of moderate slope."""
 
 
-def _write(mesh, name: str, kind: str, values: np.ndarray) -> None:
-    layer = mesh.attributes.get(name) or mesh.attributes.new(name, kind, "POINT")
-    layer.data.foreach_set("value" if kind == "FLOAT" else "vector", values.ravel())
+_WET_WIDTH = 0.4
+"""The height in which wet sand turns dry, as a share of the run-up; chosen by eye."""
+
+
+_STEP, _SHARE_STEP = 2.0**-12, 2.0**-8
+"""Heights [m], normals and shares of a land with cusps are multiples of these: a file holds them in
+half of the bytes, and so no more of them than without cusps."""
+
+
+def _rounded(values: np.ndarray, step: float) -> np.ndarray:
+    return np.rint(values / step) * step
+
+
+def _tilted(normals: np.ndarray, slopes: np.ndarray) -> np.ndarray:
+    """Returns normals, (n, 3), of ground that has these slopes, (n, 2), in addition."""
+    tilted = normals.astype(np.float64)
+    tilted[:, :2] -= slopes * tilted[:, 2:]
+    return tilted / np.linalg.norm(tilted, axis=1)[:, None]
 
 
 def run_up(state: dict) -> float:
@@ -27,27 +43,34 @@ def run_up(state: dict) -> float:
     return _RUN_UP * state["significant_wave_height"]["resolved"]
 
 
-def follow(land, grid: Grid, wet: float) -> None:
+def follow(land, grid: Grid, wet: float, cusps: Cusps | None = None) -> None:
     """Has an object show the bed of a grid, unless it does, is linked or being edited. wet: the
-    run-up of the waves [m]."""
+    run-up of the waves [m]; cusps: of the beach, over the bed."""
     if not meshes.is_ours(land) or land.mode != "OBJECT":
         return
     extent, bed = grid.extent, grid.bed
 
     def make(mesh) -> None:
         vertices, heights = grid.places, grid.read(bed.heights)
+        normals = grid.read(bed.normals)
+        beach = np.clip((wet + DRY_SAND - heights) / DRY_SAND, 0.0, 1.0)
+        if cusps is not None:
+            higher, slopes = cusps.at(grid)
+            heights = _rounded(heights + higher, _STEP)
+            normals = _rounded(_tilted(normals, slopes), _STEP)
+            beach = _rounded(beach, _SHARE_STEP)
         vertices[:, 2] = heights
         if grid.ratio == 1 and meshes.made_of(mesh).endswith(f" {extent.samples}"):
             mesh.vertices.foreach_set("co", vertices.astype(np.float32).ravel())
             mesh.update()
         else:
             meshes.fill(mesh, vertices, *grid.faces)
-        _write(mesh, terrain_group.HEIGHT, "FLOAT", heights)
-        beach = np.clip((wet + DRY_SAND - heights) / DRY_SAND, 0.0, 1.0)
-        _write(mesh, "beach", "FLOAT", beach.astype(np.float32))
-        _write(mesh, terrain_group.NORMAL, "FLOAT_VECTOR", grid.read(bed.normals))
+        meshes.write_numbers(mesh, terrain_group.HEIGHT, heights)
+        meshes.write_numbers(mesh, "beach", beach)
+        meshes.write_numbers(mesh, terrain_group.NORMAL, normals)
 
     words = f"bed {bed.mark} {extent.origin} {extent.cell!r} {extent.samples}{grid.fine_words}"
+    words += "" if cusps is None else cusps.words
     meshes.follow(land, words, make)
 
 
@@ -64,7 +87,12 @@ def look_of(state: dict, size: float) -> dict[str, float]:
     }
     look = terrain_material.look_of(ground, 0.0)
     wet = run_up(state)
-    return {**look, "Wet Line": wet, "Sand Line": wet + DRY_SAND}
+    return {
+        **look,
+        "Wet Line": wet,
+        "Wet Width": max(_WET_WIDTH * wet, 1e-3),
+        "Sand Line": wet + DRY_SAND,
+    }
 
 
 def give(land, look: dict[str, float], world) -> None:

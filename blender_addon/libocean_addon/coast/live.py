@@ -10,12 +10,12 @@ shared/life.py calls it by the row in subject.py.
 
 from __future__ import annotations
 
-from ..look import detail
+from ..look import detail, water_shader
 from ..sea import live as sea_live
 from ..shared import console, drafts, meshes, modifier_groups
 from ..shared.subject import Moment, Picture, Shown
 from ..terrain.extent import Extent
-from . import coast_bake, far_water, land, land_nodes, node_group
+from . import coast_bake, cusps, far_water, land, land_nodes, node_group
 from .coast_job import CoastJob, View, quick_fields, region_of
 from .node_group import BLANKS, DISPLACEMENT, WETNESS, grid_words
 from .open_coast import OpenCoast
@@ -122,12 +122,17 @@ def _follow_meshes(ob, coast: OpenCoast, extent: Extent) -> None:
     if ob.libocean_coast.use_fine_shore:
         wave_height = steady_height(coast.state["significant_wave_height"]["resolved"])
     grid = Grid(extent, bed, wave_height)
+    found = cusps.Cusps.of(grid, coast.state) if ob.libocean_coast.use_cusps else None
     if ob.library is None and ob.data.library is None and ob.mode == "OBJECT":
-        words = grid_words(extent) + grid.fine_words
-        meshes.follow_plane(ob, words, lambda: (grid.places, *grid.faces))
+        words = grid_words(extent) + grid.fine_words + ("" if found is None else found.words)
+
+        def make_numbers() -> dict:
+            return {} if found is None else {water_shader.CUSP: found.at(grid)[0]}
+
+        meshes.follow_plane(ob, words, lambda: (grid.places, *grid.faces), make_numbers)
     if bed is not None:
         with console.work(ob.name_full, "land"):
-            land.follow(ob.libocean_coast.land, grid, land.run_up(coast.state))
+            land.follow(ob.libocean_coast.land, grid, land.run_up(coast.state), found)
         far_water.follow(ob.libocean_coast.far_water, extent, coast.state)
 
 

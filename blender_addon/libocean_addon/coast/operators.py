@@ -113,6 +113,7 @@ class _AddCoast(ImportHelper, object_utils.AddObjectHelper):
         with changes.quiet():
             ob.libocean_coast.cell = self.cell
             ob.libocean_coast.use_fine_shore = self.use_fine_shore
+            ob.libocean_coast.use_cusps = self.use_cusps
             ob.libocean.use_detail = self.near_detail
             if self.use_land:
                 ob.libocean_coast.land = land.new_part(ob, "Land")

@@ -73,6 +73,8 @@ def look_panel(layout, ob, _context) -> None:
     settings = ob.libocean_coast
     layout.prop(settings, "cell")
     layout.prop(settings, "use_fine_shore")
+    if settings.use_fine_shore:
+        layout.prop(settings, "use_cusps")
     layout.prop(settings, "use_region")
     if settings.use_region:
         column = layout.column(align=True)

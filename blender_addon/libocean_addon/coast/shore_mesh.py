@@ -60,13 +60,19 @@ class Grid:
             return ""
         return f" fine {self.ratio} {self.wave_height!r} {self.bed.mark}"
 
+    @property
+    def band(self) -> tuple[float, float]:
+        """Returns the heights of the bed that waves may uncover and cover [m]."""
+        low, high = np.multiply(_BAND, self.wave_height)
+        return float(low), float(high)
+
     @cached_property
     def _fine(self) -> np.ndarray:
         """Returns the columns and rows of the fine cells, (2, n)."""
         heights = self.bed.heights
         corners = np.stack([heights[:-1, :-1], heights[:-1, 1:], heights[1:, :-1], heights[1:, 1:]])
         lowest, highest = corners.min(axis=0), corners.max(axis=0)
-        low, high = np.multiply(_BAND, self.wave_height)
+        low, high = self.band
         high = np.where(highest - lowest > _STEEP, high + DRY_SAND, high)
         rows, columns = np.nonzero((lowest < high) & (highest > low))
         return np.stack([columns, rows])

@@ -266,15 +266,26 @@ def follow_patch(
         _write_labels(ob.data, size, layers)
 
 
-def follow_plane(ob, words: str, make_plane) -> None:
+def write_numbers(mesh, name: str, values: np.ndarray) -> None:
+    """Writes an attribute of numbers (n,) or vectors (n, 3) of the vertices."""
+    is_vector = values.ndim == 2
+    kind, key = ("FLOAT_VECTOR", "vector") if is_vector else ("FLOAT", "value")
+    layer = mesh.attributes.get(name) or mesh.attributes.new(name, kind, "POINT")
+    layer.data.foreach_set(key, np.ascontiguousarray(values, np.float32).ravel())
+
+
+def follow_plane(ob, words: str, make_plane, make_numbers=dict) -> None:
     """Makes a level mesh of make_plane(), vertices (n, 3) [m] and faces as fill() has them, with a
-    UV map over its sides, unless it was made of the same. words: as made_of of follow()."""
+    UV map over its sides and the attributes of make_numbers() by their names, unless it was made of
+    the same. words: as made_of of follow()."""
 
     def make(mesh) -> None:
         vertices, *faces = make_plane()
         fill(mesh, vertices, *faces)
         low, high = vertices[:, :2].min(axis=0), vertices[:, :2].max(axis=0)
         _write_labels(mesh, high - low, {UV_MAP}, low)
+        for name, values in make_numbers().items():
+            write_numbers(mesh, name, values)
 
     follow(ob, words, make)
 
