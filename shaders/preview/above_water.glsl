@@ -53,7 +53,7 @@ vec3 bed_light(Water state, vec3 to_eye, vec3 shown) {
     if (is_seen && sun.w > 0.0 && sun.z > 0.1) {
         focus = caustic(label, to_eye, max(state.depth, 0.0), state.footprint);
     }
-    return bed_albedo * (sky_light.rgb + focus * sun.w * sun_colour.rgb * max(sun.z, 0.0));
+    return wet_sand_albedo * (sky_light.rgb + focus * sun.w * sun_colour.rgb * max(sun.z, 0.0));
 }
 #endif
 

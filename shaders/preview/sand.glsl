@@ -5,5 +5,3 @@
 const vec3 sand_albedo = vec3(0.42, 0.36, 0.26);
 // Water between the grains takes half of the light [Lobell and Asner 2002].
 const vec3 wet_sand_albedo = 0.5 * sand_albedo;
-// Sand below water is wet.
-const vec3 bed_albedo = wet_sand_albedo;

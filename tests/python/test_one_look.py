@@ -88,9 +88,9 @@ def test_the_exporter_reckons_with_the_macros_span():
 
 
 def test_shallow_water_looks_the_same():
-    sand, shade = text("shaders/preview/sand.glsl"), rf"bed_albedo = ({NUMBER}) \* sand_albedo"
-    bed = [float(re.search(shade, sand)[1]) * part for part in value_of(sand, "sand_albedo")]
-    assert value_of(NODES, "_BED") == pytest.approx(bed)
+    sand, shade = text("shaders/preview/sand.glsl"), rf"wet_sand_albedo = ({NUMBER}) \* sand_albedo"
+    wet = [float(re.search(shade, sand)[1]) * part for part in value_of(sand, "sand_albedo")]
+    assert value_of(NODES, "_BED") == pytest.approx(wet)
     detail = text("blender_addon/libocean_addon/look/detail.py")
     water = text("shaders/preview/water_at.glsl")
     assert value_of(detail, "_SHALLOW") == value_of(water, "detail_depth")

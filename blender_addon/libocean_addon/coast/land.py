@@ -17,10 +17,8 @@ _RUN_UP = 0.3
 """Height over still water up to which waves wet the land, as a share of the significant wave
 height. The value holds for a beach of moderate slope."""
 
-
 _WET_WIDTH = 0.4
 """The height in which wet sand turns dry, as a share of the run-up; chosen by eye."""
-
 
 _STEP, _SHARE_STEP = 2.0**-12, 2.0**-8
 """Heights [m], normals and shares of a land with cusps are multiples of these: a file holds them in
