@@ -192,16 +192,16 @@ void OpenSea::evaluate_into(double time, std::span<const MapOutput> outputs, int
     const ChannelSet channels = channels_of(outputs);
     require_map_memory(resolution, 0, channels);
     ++runs_.surface;
-    FoamLayer foam;
-    if (has_foam(channels)) {
-        const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
-        foam = foam_layer(time, lattice);
-        go_to(time);  // foam has been in the past
-        if (lattice.is_spread()) {
-            foam = spread_layer(time, foam, lattice, resolution);
-        }
+    if (!has_foam(channels)) {
+        write_maps(time, outputs, resolution, {});
+        return;
     }
+    const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
+    FoamLayer foam = foam_layer(time, lattice);
+    go_to(time);  // foam has been in the past
+    if (lattice.is_spread()) foam = spread_layer(time, foam, lattice, resolution);
     write_maps(time, outputs, resolution, foam);
+    keep_foam(foam, lattice);
 }
 
 void OpenSea::evaluate_cascade_into(std::size_t cascade, double time,

@@ -34,6 +34,7 @@ void OpenSea::lattice_foam_into(double time, const FoamLattice& lattice, std::sp
     const FoamLayer layer = foam_layer(time, lattice);
     go_to(time);  // foam has been in the past
     write_lattice_foam(time, lattice, layer, foam);
+    keep_foam(layer, lattice);
 }
 
 std::int64_t OpenSea::foam_settling_ticks() const {
@@ -53,7 +54,13 @@ FoamLayer OpenSea::foam_layer(double time, const FoamLattice& lattice) {
                                 write_lattice_foam(t, lattice, before, foam);
                             },
                             options_.foam_progress};
-    return place->second.layer(time, source);
+    return place->second.layer_of_map(time, source);
+}
+
+void OpenSea::keep_foam(const FoamLayer& layer, const FoamLattice& lattice) {
+    if (layer.kept == nullptr) return;
+    ++runs_.foam_ticks;
+    foam_.at(lattice).keep();
 }
 
 void OpenSea::write_lattice_foam(double time, const FoamLattice& lattice, const FoamLayer& before,
@@ -73,10 +80,11 @@ void OpenSea::write_lattice_foam(double time, const FoamLattice& lattice, const 
 
 FoamLayer OpenSea::spread_layer(double time, const FoamLayer& layer, const FoamLattice& lattice,
                                 int resolution) {
-    if (layer.map == nullptr || layer.fade == 0.0f) return {};
+    if (layer.fade == 0.0f && layer.kept == nullptr) return {};
     // The lattice's own whitecaps of this moment belong to it: between ticks foam goes on growing.
     lattice_foam_.resize(Lattice{lattice.resolution, 1.0}.size());
     write_lattice_foam(time, lattice, layer, lattice_foam_);
+    keep_foam(layer, lattice);
     const double power = chain_->shown_cover_power({lattice, resolution}, pool_, runs_);
     spread_foam_.resize(Lattice{resolution, 1.0}.size());
     spread_foam(lattice_foam_, power, spread_foam_, pool_);

@@ -112,15 +112,15 @@ class FoamTicks {
     void tick(int resolution) {
         MapOutput output{foam_.data(), 1, {}};
         output.component[0].quantity = Channel::foam;
-        double& time = time_[resolution];
-        time += ocean_.parameters().surface.foam_step;
+        // A sum of steps would round, and miss the time of a tick.
+        const double time = ++ticks_[resolution] * ocean_.parameters().surface.foam_step;
         ocean_.evaluate_into(time, {&output, 1}, resolution);
     }
 
   private:
     Ocean ocean_;
     HugeArray<float> foam_;
-    std::map<int, double> time_;
+    std::map<int, int> ticks_;
 };
 
 /// s that the past of foam still works, at most of a few tries, after its host wants it to stop.

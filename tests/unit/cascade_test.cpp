@@ -245,7 +245,7 @@ TEST(Cascades, BackendsAgreeOnAMapWithCascades) {
     Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
     for (const int resolution : {64, 128, 256}) {  // the first two cut bands off
         const Surface exact = judge.evaluate(12.0, test::kAllChannels, resolution);
-        for (const Backend backend : {Backend::cpu, Backend::radix2}) {
+        for (const Backend& backend : {Backend::cpu, Backend::radix2}) {
             Ocean sea(parameters, {.threads = 2, .backend = backend});
             const Surface surface = sea.evaluate(12.0, test::kAllChannels, resolution);
             for (const Channel channel : {Channel::height, Channel::dx, Channel::slope_y,

@@ -54,6 +54,95 @@ TEST(SeaFoam, FrameTwoHundredHasTheSameBitsHoweverItIsReached) {
     }
 }
 
+int kernel_runs = 0;
+bool kernel_stops = false;
+struct Stopped {};
+
+/// Returns the cpu backend, which counts its runs and may stop at the end of one.
+Backend counting_backend(bool keeps_foam) {
+    Backend backend = Backend::cpu;
+    backend.keeps_foam = keeps_foam;
+    backend.start = [] {
+        return MapFunction(
+            [cpu = Backend::cpu.start()](const MapRequest& request, ThreadPool& pool) {
+                ++kernel_runs;
+                const bool packed = cpu(request, pool);
+                if (kernel_stops) throw Stopped{};
+                return packed;
+            });
+    };
+    return backend;
+}
+
+TEST(SeaFoam, AMapAtATickIsOneRunOfTheKernelWithTheBitsOfTwo) {
+    static const ChannelInfo kTwice[] = {
+        {"twice",
+         "",
+         channel_info(Channel::foam).choppy,
+         {},
+         [](const auto& point) { return 2 * channel_formula::foam_of(point); },
+         FoamUse::past}};
+    struct Case {
+        const char* name;
+        ChannelSet channels;
+        int runs;          // at a tick
+        int runs_between;  // with a tick before
+        std::function<void(Parameters&)> change = [](Parameters&) {};
+    };
+    using enum Channel;
+    const Case cases[] = {
+        {"foam", {foam}, 1, 2},
+        {"cover", {height, cover}, 1, 2},
+        {"a host's foam", {foam, static_cast<Channel>(kChannelCount)}, 2, 2},
+        {"a lattice", {dx, foam}, 2, 3, [](Parameters& p) { p.surface.foam_resolution = 32; }},
+        {"bound waves", {foam}, 1, 2, [](Parameters& p) { p.surface.second_order = true; }},
+        {"a loop", {foam, whitecap}, 1, 2, [](Parameters& p) { p.time.loop_period = 3.0; }},
+    };
+    for (const Case& c : cases) {
+        Parameters parameters = foamy_sea(64, 120.0, 14.0);
+        parameters.surface.foam_lifetime = 0.5;
+        c.change(parameters);
+        const auto sea = [&](bool keeps_foam) {
+            return Ocean(
+                parameters,
+                {.threads = 1, .backend = counting_backend(keeps_foam), .channels = kTwice});
+        };
+        Ocean once = sea(true);
+        Ocean twice = sea(false);
+        once.evaluate(0.0, c.channels);
+        twice.evaluate(0.0, c.channels);
+        for (int frame = 1; frame <= 8; ++frame) {
+            // Each fourth frame lies between two ticks.
+            const double time = frame * 0.05 + (frame % 4 == 0 ? 0.02 : 0.0);
+            const int ticks = once.stage_runs().foam_ticks;
+            kernel_runs = 0;
+            const Surface map = once.evaluate(time, c.channels);
+            EXPECT_EQ(kernel_runs, frame % 4 == 0 ? c.runs_between : c.runs)
+                << c.name << ", frame " << frame;
+            EXPECT_EQ(once.stage_runs().foam_ticks, ticks + 1);
+            EXPECT_TRUE(test::same_bits(map, twice.evaluate(time, c.channels)))
+                << c.name << ", frame " << frame;
+            EXPECT_GT(test::variance(map.channel(c.channels.contains(foam) ? foam : cover)), 1e-5);
+        }
+        EXPECT_EQ(once.stage_runs(), twice.stage_runs()) << c.name;
+    }
+}
+
+TEST(SeaFoam, AMapThatIsStoppedKeepsNoTick) {
+    const Parameters parameters = foamy_sea(64, 120.0, 14.0);
+    Ocean sea(parameters, {.threads = 1, .backend = counting_backend(true)});
+    Ocean other(parameters, {.threads = 1});
+    sea.evaluate(0.0, kFoam);
+    const int ticks = sea.stage_runs().foam_ticks;
+    kernel_stops = true;
+    EXPECT_THROW(sea.evaluate(0.05, kFoam), Stopped);
+    EXPECT_EQ(sea.stage_runs().foam_ticks, ticks);
+    kernel_stops = false;
+    for (const double time : {0.05, 0.07}) {
+        EXPECT_TRUE(test::same_bits(sea.evaluate(time, kFoam), other.evaluate(time, kFoam)));
+    }
+}
+
 TEST(SeaFoam, IsNeverLessThanTheWhitecapsAndFadesWithItsLifetime) {
     Parameters parameters = foamy_sea(64, 100.0, 14.0);
     parameters.surface.foam_lifetime = 2.0;

@@ -39,7 +39,7 @@ TEST_P(OneWave, IsACosineThatTravelsAlongItsWavenumberInEveryBackend) {
     const double omega = dispersion.angular_frequency(k);
     const double displacement = dispersion.horizontal_displacement(k);
     const double time = 1.3;
-    for (const Backend backend : kBackends) {
+    for (const Backend& backend : kBackends) {
         const Surface s =
             make_surface(modes, parameters.surface, time, kAllChannels, backend, test::pool());
         for (const auto& at : test::pairs(11, 11)) {
@@ -94,7 +94,7 @@ TEST(Surface, BackendsAgreeWithTheDirectSumNowAndAfterElevenDays) {
     Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
     for (const double time : {12.0, 1e6}) {
         const Surface exact = judge.evaluate(time, kAllChannels);
-        for (const Backend backend : {Backend::cpu, Backend::radix2}) {
+        for (const Backend& backend : {Backend::cpu, Backend::radix2}) {
             Ocean sea(parameters, {.threads = 2, .backend = backend});
             const Surface surface = sea.evaluate(time, kAllChannels);
             for (const Product& field : product_table()) {

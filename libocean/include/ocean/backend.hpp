@@ -57,6 +57,9 @@ struct Backend {
     bool may_be_fast = false;
     /// Returns an independent function for coasts; null: the processor sums their waves.
     CoastFunction (*start_coast)() = nullptr;
+    /// True if the backend writes FoamLayer::kept. Otherwise a tick of foam and the map over it are
+    /// two requests.
+    bool keeps_foam = false;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 

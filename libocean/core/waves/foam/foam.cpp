@@ -68,19 +68,32 @@ std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
 FoamState::FoamState(FoamClock clock, std::size_t samples, FoamStart start)
     : samples_(samples), follower_(clock, start) {}
 
+FoamLayer FoamState::in_memory(const Follower::Layer& layer) const {
+    FoamLayer result{.map = layer.map != nullptr ? layer.map->data() : nullptr,
+                     .fade = layer.fade,
+                     .cutoff = layer.cutoff};
+    if (layer.kept != nullptr) {
+        layer.kept->resize(samples_);
+        result.kept = layer.kept->data();
+    }
+    return result;
+}
+
+FoamState::Follower::Source FoamState::source_in_memory(const FoamSource& source) const {
+    return {source.lifetime,
+            [&](double t, const Follower::Layer& before, PageVector<float>& foam) {
+                foam.resize(samples_);
+                source.tick(t, in_memory(before), foam);
+            },
+            source.progress};
+}
+
 FoamLayer FoamState::layer(double time, const FoamSource& source) {
-    const auto in_memory = [](const Follower::Layer& layer) {
-        return FoamLayer{layer.map != nullptr ? layer.map->data() : nullptr, layer.fade,
-                         layer.cutoff};
-    };
-    const Follower::Source follower_source{
-        source.lifetime,
-        [&](double t, const Follower::Layer& before, PageVector<float>& foam) {
-            foam.resize(samples_);
-            source.tick(t, in_memory(before), foam);
-        },
-        source.progress};
-    return in_memory(follower_.layer(time, follower_source));
+    return in_memory(follower_.layer(time, source_in_memory(source)));
+}
+
+FoamLayer FoamState::layer_of_map(double time, const FoamSource& source) {
+    return in_memory(follower_.layer_of_map(time, source_in_memory(source)));
 }
 
 }  // namespace ocean

@@ -76,7 +76,11 @@ std::span<const Backend> kernel_backends() {
         std::vector<Backend> all;
         const auto add = [&](SimdLevel level, MapFunction (*start)()) {
             if (level > simd_level() || !simd_available(level)) return;
-            all.push_back({simd_name(level), kCpuChannels, start, kernel_bytes});
+            all.push_back({.name = simd_name(level),
+                           .makes = kCpuChannels,
+                           .start = start,
+                           .work_bytes = kernel_bytes,
+                           .keeps_foam = true});
         };
         add(avx512, start_kernel_of<avx512>);
         add(avx2, start_kernel_of<avx2>);

@@ -200,9 +200,9 @@ bool make_room(PageVector<float>& floats, std::size_t count) {
 /// `floats_beside` floats too. That loses 5 to 10 % of a small frame, 10 to 18 % if its caller
 /// reads the maps next, and a quarter of a tick of foam; storing through the caches loses 12 to 40
 /// % of a large frame [measured: N = 256, and 512 and 1024, with 32 MiB of shared cache].
-bool are_streamed(std::span<const MapOutput> outputs, int n, std::size_t floats_beside,
-                  const CacheSizes& caches) {
-    std::size_t components = 0;
+bool are_streamed(const KernelFrame& frame, std::span<const MapOutput> outputs, int n,
+                  std::size_t floats_beside, const CacheSizes& caches) {
+    std::size_t components = frame.foam.kept != nullptr ? 1 : 0;
     for (const MapOutput& output : outputs) {
         components += static_cast<std::size_t>(output.components);
     }
@@ -264,7 +264,7 @@ struct MapKernel::Impl {
         // If most of the intermediate values stay in the shared cache, storing past it loses 8 % of
         // a frame; otherwise storing through it loses 10 % [measured].
         task.stream_intermediate = floats * sizeof(float) > caches.shared / 4;
-        const bool streams = are_streamed(outputs, task.size, floats, caches);
+        const bool streams = are_streamed(frame, outputs, task.size, floats, caches);
         for (FrameTask& one : part) {
             one.intermediate = intermediate.data();
             one.stream_outputs = streams;
@@ -376,7 +376,7 @@ void write_rows(const PlanarFields& fields, int resolution, int first, int last,
     Plan(task, frame, frame.outputs, fields_behind(frame.outputs, is_flat(frame)));
     const std::size_t planes = static_cast<std::size_t>(task.slots) * fields.row_stride *
                                static_cast<std::size_t>(resolution);
-    task.stream_outputs = are_streamed(frame.outputs, resolution, planes, cache_sizes());
+    task.stream_outputs = are_streamed(frame, frame.outputs, resolution, planes, cache_sizes());
     // Here directly written planes are outputs like the others.
     for (int d = 0; d < task.direct_count; ++d) {
         const DirectPlane& plane = task.direct[d];

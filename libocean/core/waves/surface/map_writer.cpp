@@ -157,9 +157,32 @@ bool MapWriter::write(const MapRequest& request, ThreadPool& pool) {
     return packed;
 }
 
+bool MapWriter::keeps_in_one_run(const MapRequest& request) const {
+    // Formulas of the table and of a host write their own channel alone.
+    const ChannelSet by_formula = channels_of(request.outputs).without(backend_.makes);
+    return backend_.keeps_foam && !has_past(foam_use(by_formula, host_channels_));
+}
+
+bool MapWriter::write_after_tick(const MapRequest& request, ThreadPool& pool) {
+    const MapOutput foam{request.foam.kept, 1, {{{Channel::foam, 1.0f}}}};
+    MapRequest tick = request;
+    tick.outputs = {&foam, 1};
+    tick.foam.kept = nullptr;
+    const bool packed = write_samples(tick, pool);
+    MapRequest map = request;
+    map.foam.map = request.foam.kept;
+    map.foam.fade = 1.0f;
+    map.foam.cutoff = 0.0f;
+    map.foam.kept = nullptr;
+    return write_samples(map, pool) || packed;
+}
+
 bool MapWriter::write_samples(const MapRequest& request, ThreadPool& pool) {
     const ChannelSet asked = channels_of(request.outputs);
     require_channels(asked, host_channels_);
+    if (request.foam.kept != nullptr && !keeps_in_one_run(request)) {
+        return write_after_tick(request, pool);
+    }
     const LinearSet bound = bound_fields(request, host_channels_);
     const ChannelSet moved = formulas_of(bound, asked, host_channels_);
     const ChannelSet others = asked.without(backend_.makes) | moved;

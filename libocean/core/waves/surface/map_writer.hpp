@@ -30,6 +30,10 @@ class MapWriter {
 
   private:
     bool write_samples(const MapRequest& request, ThreadPool& pool);
+    /// Returns true if the request's tick of foam is kept by the run that makes its channels.
+    bool keeps_in_one_run(const MapRequest& request) const;
+    /// Writes the tick of foam that is to be kept, and then the map over it.
+    bool write_after_tick(const MapRequest& request, ThreadPool& pool);
     /// Writes channels of kKernelFormulas from the planes.
     void write_by_kernel(ChannelSet channels, const MapRequest& request, ThreadPool& pool);
     /// Adds the bound waves to the outputs that are multiples of a field, and to the planes.

@@ -61,7 +61,11 @@ std::uint64_t reference_bytes(const Grid&, LinearSet fields, int resolution) {
 
 }  // namespace
 
-constexpr Backend Backend::cpu = {"cpu", kCpuChannels, start_cpu, kernel_bytes};
+constexpr Backend Backend::cpu = {.name = "cpu",
+                                  .makes = kCpuChannels,
+                                  .start = start_cpu,
+                                  .work_bytes = kernel_bytes,
+                                  .keeps_foam = true};
 constexpr Backend Backend::radix2 = {"radix2", kEveryChannel, start_reference<synthesize_radix2>,
                                      reference_bytes<float>};
 constexpr Backend Backend::dft = {"dft", kEveryChannel, start_reference<synthesize_dft>,

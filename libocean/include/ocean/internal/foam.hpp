@@ -142,12 +142,19 @@ class FoamState {
 
     /// Returns the earlier foam at a time [s], see FoamFollower::layer.
     FoamLayer layer(double time, const FoamSource& source);
+    /// Returns the earlier foam for the map of a time [s], see FoamFollower::layer_of_map. After a
+    /// map has written the layer's `kept`, keep() must be called.
+    FoamLayer layer_of_map(double time, const FoamSource& source);
+    void keep() { follower_.keep(); }
     void forget_from(double time) { follower_.forget_from(time); }
     std::int64_t settling_ticks() const { return follower_.settling_ticks(); }
     const FoamClock& clock() const { return follower_.clock(); }
 
   private:
     using Follower = FoamFollower<PageVector<float>>;
+
+    Follower::Source source_in_memory(const FoamSource& source) const;
+    FoamLayer in_memory(const Follower::Layer& layer) const;
 
     std::size_t samples_;
     Follower follower_;

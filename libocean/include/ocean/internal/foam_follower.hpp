@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,11 +23,13 @@ namespace ocean {
 template <typename Map>
 class FoamFollower {
   public:
-    /// The earlier foam of a moment: foam = max(W, fade * map), set to 0 below `cutoff`.
+    /// The earlier foam of a moment: foam = max(W, fade * map), set to 0 below `cutoff`. If `kept`
+    /// is not null, that foam belongs there, and the foam of the moment is max(W, kept).
     struct Layer {
         const Map* map = nullptr;  // null: no earlier foam
         float fade = 0.0f;
         float cutoff = 0.0f;
+        Map* kept = nullptr;
     };
     /// The callbacks that make the maps.
     struct Source {
@@ -47,8 +50,33 @@ class FoamFollower {
     /// of the source passes through and leaves a state that can be used further.
     Layer layer(double time, const Source& source) {
         const FoamClock::Moment moment = clock_.moment(time);
-        const Tick& last = reach(moment.tick, source);
-        return {&last.foam, fade(moment.since, source.lifetime(time)), 0.0f};
+        const Tick* last = find(moment.tick);
+        if (last == nullptr) {
+            begin(moment.tick, source);
+            source.tick(clock_.time_of(moment.tick), before_next(kept_, moment.tick, source),
+                        next_->tick.foam);
+            keep();
+            last = &kept_.back();
+        }
+        return {&last->foam, fade(moment.since, source.lifetime(time)), 0.0f};
+    }
+    /// Returns the earlier foam for the map of a time [s], as layer() does. A missing tick of this
+    /// very time is left to the map: the layer's `kept` is the tick's own map, and after it is
+    /// written keep() must be called.
+    Layer layer_of_map(double time, const Source& source) {
+        const FoamClock::Moment moment = clock_.moment(time);
+        const bool is_tick = moment.since == 0.0 && source.lifetime(time) > 0.0;
+        if (!is_tick || find(moment.tick) != nullptr) return layer(time, source);
+        begin(moment.tick, source);
+        Layer layer = before_next(kept_, moment.tick, source);
+        layer.kept = &next_->tick.foam;
+        return layer;
+    }
+    /// Keeps the tick whose map layer_of_map() has left to the caller.
+    void keep() {
+        append(kept_, std::move(next_->tick), kKept);
+        settling_ = next_->settling;
+        next_.reset();
     }
     /// Drops the ticks from that time [s] on, because the sea has changed there.
     void forget_from(double time) {
@@ -73,34 +101,40 @@ class FoamFollower {
         return lifetime > 0.0 ? static_cast<float>(std::exp(-seconds / lifetime)) : 0.0f;
     }
 
-    const Tick& reach(std::int64_t tick, const Source& source) {
+    const Tick* find(std::int64_t tick) const {
         const auto found = std::find_if(kept_.begin(), kept_.end(),
                                         [tick](const Tick& kept) { return kept.number == tick; });
-        if (found != kept_.end()) return *found;
+        return found != kept_.end() ? &*found : nullptr;
+    }
 
+    /// Makes the ticks before a missing tick, and begins that tick: next_.
+    void begin(std::int64_t tick, const Source& source) {
+        drop_next();
         const std::int64_t ahead =
             kept_.empty() ? 0 : clock_.ticks_between(kept_.back().number, tick);
         if (ahead == 1 && settling_ == 0) {
-            step(kept_, tick, source);
-            return kept_.back();
+            next_ = {after(kept_, tick), 0};
+            return;
         }
         const std::int64_t preroll = preroll_ticks(clock_, tick, source.lifetime);
         if (ahead > 0 && ahead <= preroll) {
-            for (std::int64_t i = ahead - 1; i >= 0; --i) {
-                step(kept_, clock_.before(tick, i), source);
+            for (std::int64_t i = ahead - 1; i > 0; --i) {
+                step(kept_, clock_.before(tick, i), source, kKept);
             }
         } else {
-            kept_ = begin(tick, start_ == FoamStart::settled ? preroll : 0, source);
+            kept_ = preroll_to(tick, start_ == FoamStart::settled ? preroll : 0, source);
         }
-        const bool settled = start_ == FoamStart::settled || kept_.back().age >= preroll;
-        settling_ = settled ? 0 : preroll - kept_.back().age;
-        return kept_.back();
+        next_ = {after(kept_, tick), 0};
+        const bool settled = start_ == FoamStart::settled || next_->tick.age >= preroll;
+        if (!settled) next_->settling = preroll - next_->tick.age;
     }
 
-    std::vector<Tick> begin(std::int64_t tick, std::int64_t preroll, const Source& source) {
+    /// Returns the last ticks of a pre-roll but the last of all, `tick`.
+    std::vector<Tick> preroll_to(std::int64_t tick, std::int64_t preroll, const Source& source) {
         std::vector<Tick> kept;
         for (std::int64_t i = preroll; i >= 0; --i) {
             if (source.progress) source.progress(preroll - i, preroll + 1);
+            if (i == 0) break;
             // The first ticks need one map only; the last kKept ticks are kept.
             const bool passing = i >= static_cast<std::int64_t>(kKept);
             step(kept, clock_.before(tick, i), source, passing ? 1 : kKept);
@@ -108,17 +142,28 @@ class FoamFollower {
         return kept;
     }
 
-    void step(std::vector<Tick>& kept, std::int64_t tick, const Source& source,
-              std::size_t keep = kKept) {
-        const double time = clock_.time_of(tick);
-        Layer before{nullptr, 0.0f, kMinFoam};
-        if (!kept.empty()) {
-            before.map = &kept.back().foam;
-            before.fade = fade(clock_.step, source.lifetime(time));
-        }
+    void step(std::vector<Tick>& kept, std::int64_t tick, const Source& source, std::size_t keep) {
+        Tick next = after(kept, tick);
+        source.tick(clock_.time_of(tick), before_next(kept, tick, source), next.foam);
+        append(kept, std::move(next), keep);
+    }
+
+    /// Returns the tick after the kept ones, without its foam.
+    Tick after(const std::vector<Tick>& kept, std::int64_t tick) {
         Tick next{tick, kept.empty() ? 0 : kept.back().age + 1, std::move(spare_)};
         spare_ = Map();
-        source.tick(time, before, next.foam);
+        return next;
+    }
+
+    /// Returns the earlier foam of the tick after the kept ones.
+    Layer before_next(const std::vector<Tick>& kept, std::int64_t tick,
+                      const Source& source) const {
+        if (kept.empty()) return {nullptr, 0.0f, kMinFoam};
+        const double lifetime = source.lifetime(clock_.time_of(tick));
+        return {&kept.back().foam, fade(clock_.step, lifetime), kMinFoam};
+    }
+
+    void append(std::vector<Tick>& kept, Tick next, std::size_t keep) {
         kept.push_back(std::move(next));
         if (kept.size() > keep) {
             spare_ = std::move(kept.front().foam);
@@ -126,10 +171,23 @@ class FoamFollower {
         }
     }
 
+    /// Drops a tick whose map was not written.
+    void drop_next() {
+        if (next_) spare_ = std::move(next_->tick.foam);
+        next_.reset();
+    }
+
+    /// The tick that is being made.
+    struct Next {
+        Tick tick;
+        std::int64_t settling;  // once it is kept
+    };
+
     FoamClock clock_;
     FoamStart start_;
     std::vector<Tick> kept_;  // the last ticks, the newest at the back
-    Map spare_{};             // of a dropped tick, reused for the next
+    std::optional<Next> next_;
+    Map spare_{};  // of a dropped tick, reused for the next
     std::int64_t settling_ = 0;
 };
 

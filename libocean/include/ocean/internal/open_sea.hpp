@@ -114,7 +114,10 @@ class OpenSea {
     /// Writes maps of the sea at the chain's time, with whitecaps laid over `foam`.
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
+    /// Returns the foam of a lattice before the map that is made next, see FoamState::layer_of_map.
     FoamLayer foam_layer(double time, const FoamLattice& lattice);
+    /// Keeps the tick that a map has written, if the layer has one.
+    void keep_foam(const FoamLayer& layer, const FoamLattice& lattice);
     /// Writes the foam of a lattice at the chain's time: its own whitecaps over `before`.
     void write_lattice_foam(double time, const FoamLattice& lattice, const FoamLayer& before,
                             std::span<float> foam);
