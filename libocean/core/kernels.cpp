@@ -20,6 +20,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
 #include "waves/kernel/frame_task.hpp"
+#include "waves/modes/mode_rows_task.hpp"
 
 namespace ocean {
 
@@ -32,6 +33,7 @@ namespace ocean {
     extern const SignalLoop kSignalLoop;         \
     extern const GullyLoop kGullyLoop;           \
     extern const WakeLoops kWakeLoops;           \
+    extern const ModeRowLoops kModeRowLoops;     \
     }
 OCEAN_DECLARE_KERNEL(avx512)
 OCEAN_DECLARE_KERNEL(avx2)
@@ -49,6 +51,7 @@ struct Kernel {
     const SignalLoop* signal_loop;
     const GullyLoop* gully_loop;
     const WakeLoops* wake_loops;
+    const ModeRowLoops* mode_row_loops;
     unsigned leaf_1, leaf_7, saved_states;
 };
 
@@ -61,7 +64,7 @@ struct Kernel {
 
 #define OCEAN_KERNEL_ENTRY(name)                                                 \
     SimdLevel::name, &name::kCode, &name::kBatchFftLoop, &name::kBandSectorLoop, \
-        &name::kSignalLoop, &name::kGullyLoop, &name::kWakeLoops
+        &name::kSignalLoop, &name::kGullyLoop, &name::kWakeLoops, &name::kModeRowLoops
 /// The best first. A build may leave out any: OCEAN_KERNELS and OCEAN_PORTABLE_KERNEL in CMake.
 constexpr Kernel kKernels[] = {
 #if defined(OCEAN_KERNEL_AVX512)
@@ -187,6 +190,9 @@ GullyLoop gully_loop(SimdLevel level) {
 }
 WakeLoops wake_loops(SimdLevel level) {
     return *find_kernel(level).wake_loops;
+}
+const ModeRowLoops& mode_row_loops(SimdLevel level) {
+    return *find_kernel(level).mode_row_loops;
 }
 
 }  // namespace ocean

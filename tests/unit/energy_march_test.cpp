@@ -52,12 +52,13 @@ DirectionalSpectrum make_sea(const std::vector<System>& systems) {
                        std::pow(3.3, std::exp(-0.5 * x * x)));
         variance += 0.01 * sums.back();
     }
-    const std::shared_ptr<double[]> table(new double[rows.size() * directions]);
+    const std::size_t row_size = DirectionalSpectrum::row_size(directions);
+    const std::shared_ptr<double[]> table(new double[rows.size() * row_size]);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         sums[i] *= kHeight * kHeight / 8.0 / variance;
-        for (std::size_t j = 0; j < directions; ++j) {
-            table.get()[i * directions + j] = sums[i] * spreading[j];
-        }
+        std::vector<double> row;
+        for (std::size_t j = 0; j < directions; ++j) row.push_back(sums[i] * spreading[j]);
+        DirectionalSpectrum::store_row(row, table.get() + i * row_size);
     }
     return DirectionalSpectrum(rows, directions, table, sums);
 }

@@ -6,7 +6,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <random>
+#include <utility>
 
 #include "base/simd/simd.hpp"
 #include "direct_dft.hpp"
@@ -16,6 +18,7 @@
 #include "waves/kernel/frame_parts.hpp"
 #include "waves/kernel/frame_task.hpp"
 #include "waves/kernel/map_kernel.hpp"
+#include "waves/kernel/packed_modes.hpp"
 #include "waves/synthesis/mode_grid.hpp"
 
 namespace ocean {
@@ -142,6 +145,33 @@ TEST(Kernel, LargeSizesAreTheTransformInDouble) {
                 }
                 EXPECT_LT(test::relative_error(picked, exact_plane(coarse, fields[f])), 5e-7)
                     << size << ' ' << simd_name(level);
+            }
+        }
+    }
+}
+
+TEST(PackedModes, OtherAmplitudesOfALatticeArePackedAsIfFromNothing) {
+    for (const int cascades : {1, 2}) {
+        Ocean sea(test::wind_sea(64, 200.0, {.wind = 12.0, .cascades = cascades}), {.threads = 1});
+        const Modes before = sea.modes();
+        sea.set("waves.0.wind_speed", "7");
+        const Modes& after = sea.modes();
+        ASSERT_EQ(before.lattice_revision, after.lattice_revision);
+        for (const SimdLevel level : levels()) {
+            for (const int resolution : {32, 64, 128}) {  // cuts, holds and pads the modes
+                const MapModes modes = map_modes(after, 2.0, resolution);
+                const auto packed = std::make_shared<PackedModes>(
+                    map_modes(before, 2.0, resolution), test::pool(), level);
+                ASSERT_TRUE(packed->refill(modes, test::pool()));
+                const auto heights = [&](std::shared_ptr<const PackedModes> of) {
+                    PageVector<float> map(Lattice{resolution, 1.0}.size());
+                    const MapOutput output{map.data(), 1, {{{Channel::height, 1.0f}}}};
+                    MapKernel(std::move(of)).run({modes.tau, {}, {&output, 1}, {}}, test::pool());
+                    return map;
+                };
+                const auto fresh = std::make_shared<PackedModes>(modes, test::pool(), level);
+                EXPECT_EQ(heights(packed), heights(fresh))
+                    << simd_name(level) << ", " << resolution << ", " << cascades;
             }
         }
     }

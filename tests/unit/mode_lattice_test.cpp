@@ -6,6 +6,7 @@
 #include "waves/modes/mode_lattice.hpp"
 
 #include "ocean/internal/dispersion.hpp"
+#include "simd_levels.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
 #include "waves/modes/quadrant_sampler.hpp"
@@ -206,7 +207,10 @@ TEST(QuadrantSampler, IsTheTableItselfUpToRounding) {
             for (const double turns : {0.0, 0.0313, 0.1875, 0.2499, 0.25}) {
                 const double theta = kTwoPi * turns;
                 const double directions[4] = {theta, kPi - theta, kPi + theta, -theta};
-                const auto found = sampler.density(omega, turns);
+                const double one = 1.0;
+                double found[4];
+                sampler.write_variances({1, nullptr, 1, &omega, &turns, &one},
+                                        {&found[0], &found[1], &found[2], &found[3]});
                 for (std::size_t q = 0; q < 4; ++q) {
                     const double exact = spectrum.density(omega, directions[q]);
                     const double scale = spectrum.frequency_density(omega);
@@ -216,6 +220,53 @@ TEST(QuadrantSampler, IsTheTableItselfUpToRounding) {
                 }
             }
         }
+    }
+}
+
+TEST(ModeRows, HaveTheSameBitsOnAllMachines) {
+    const DirectionalSpectrum spectrum = make_directional_spectrum(test::wind_sea());
+    const QuadrantSampler sampler(spectrum);
+    constexpr std::size_t kCells = 150;
+    std::vector<std::uint32_t> points_of;
+    std::vector<double> omega, direction, weight;
+    std::vector<float> noise, displacement;
+    for (std::size_t cell = 0; cell < kCells; ++cell) {
+        points_of.push_back(cell < 40 ? 9 - static_cast<std::uint32_t>(cell) / 5 : 1);
+        for (std::uint32_t i = 0; i < points_of.back(); ++i) {
+            omega.push_back(0.02 * static_cast<double>(omega.size()));
+            direction.push_back(0.25 * std::fmod(0.37 * static_cast<double>(cell), 1.0));
+            weight.push_back(1.0 + 0.1 * i);
+        }
+        displacement.push_back(3.0f / static_cast<float>(cell + 1));
+        noise.push_back(static_cast<float>(std::sin(static_cast<double>(cell))));
+        noise.push_back(static_cast<float>(std::cos(static_cast<double>(cell))));
+    }
+    const QuadrantCells cells{kCells,       points_of.data(), omega.size(),
+                              omega.data(), direction.data(), weight.data()};
+    const auto made = [&](SimdLevel level) {
+        std::vector<double> variance[4], sums[kShellSums];
+        for (std::vector<double>& v : variance) v.resize(kCells);
+        for (std::vector<double>& sum : sums) sum.assign(kCells - 10, 0.25);
+        double* const to[4] = {variance[0].data(), variance[1].data(), variance[2].data(),
+                               variance[3].data()};
+        double* const to_sums[kShellSums] = {sums[0].data(), sums[1].data(), sums[2].data(),
+                                             sums[3].data(), sums[4].data()};
+        std::vector<float> h0(4 * kCells);
+        const ModeRowLoops& loops = mode_row_loops(level);
+        sampler.write_variances(cells, to, level);
+        loops.waves(to[0], 1, noise.data(), kCells, h0.data());
+        loops.waves(to[1] + kCells - 1, -1, noise.data(), kCells, h0.data() + 2 * kCells);
+        loops.shells({{to[0], to[1], to[2], to[3]}, displacement.data(), 0.1, 12, kCells - 7}, 10,
+                     to_sums);
+        std::vector<double> all(h0.begin(), h0.end());
+        for (const auto& v : variance) all.insert(all.end(), v.begin(), v.end());
+        for (const auto& sum : sums) all.insert(all.end(), sum.begin(), sum.end());
+        return all;
+    };
+    const std::vector<double> expected = made(test::levels().front());
+    EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 0.25);
+    for (const SimdLevel level : test::levels()) {
+        EXPECT_TRUE(same_bits(made(level), expected)) << simd_name(level);
     }
 }
 

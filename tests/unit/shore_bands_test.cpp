@@ -19,8 +19,9 @@ constexpr double kDegree = kTwoPi / 360.0;
 /// Returns a sea of the density 1 m^2 s/rad^2 from omega = low to high, in all directions.
 DirectionalSpectrum even_sea(double low, double high) {
     constexpr int kDirections = 8;
-    auto density = std::make_shared<double[]>(2 * kDirections);
-    std::fill_n(density.get(), 2 * kDirections, 1.0);
+    const std::size_t size = 2 * DirectionalSpectrum::row_size(kDirections);
+    auto density = std::make_shared<double[]>(size);
+    std::fill_n(density.get(), size, 1.0);
     return {{low, high}, kDirections, density, {kTwoPi, kTwoPi}};
 }
 

@@ -38,11 +38,6 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
-std::span<const double> row_of(const DirectionalSpectrum& spectrum, std::size_t row) {
-    const auto columns = static_cast<std::size_t>(spectrum.directions());
-    return spectrum.table().subspan(row * columns, columns);
-}
-
 /// Returns "mean,spread" of one row [degrees], with empty cells if it has no energy. The spread is
 /// sqrt(2 (1 - r)), where r is the length of the mean direction vector.
 std::string direction_cells(std::span<const double> row) {
@@ -66,7 +61,7 @@ std::string frequency_csv(const DirectionalSpectrum& spectrum) {
     for (std::size_t i = 0; i < omega.size(); ++i) {
         csv += format_text("%.12g,%.12g,", omega[i] / kTwoPi,
                            kTwoPi * spectrum.frequency_density(omega[i]));
-        csv += direction_cells(row_of(spectrum, i)) + '\n';
+        csv += direction_cells(spectrum.row(i)) + '\n';
     }
     return csv;
 }
@@ -76,7 +71,7 @@ std::string directional_csv(const DirectionalSpectrum& spectrum) {
     std::string csv = "frequency_hz,direction_deg,density_m2_per_hz_per_deg\n";
     const std::span<const double> omega = spectrum.angular_frequencies();
     for (std::size_t i = 0; i < omega.size(); ++i) {
-        const std::span<const double> row = row_of(spectrum, i);
+        const std::vector<double> row = spectrum.row(i);
         for (std::size_t j = 0; j < row.size(); ++j) {
             const double degrees = 360.0 * static_cast<double>(j) / static_cast<double>(row.size());
             csv += format_text("%.12g,%.9g,%.9g\n", omega[i] / kTwoPi, degrees,

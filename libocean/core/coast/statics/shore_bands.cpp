@@ -53,9 +53,8 @@ class SectorSpectrum {
   public:
     explicit SectorSpectrum(const DirectionalSpectrum& spectrum)
         : omega_(spectrum.angular_frequencies()) {
-        const auto width = static_cast<std::size_t>(spectrum.directions());
         for (std::size_t i = 0; i < omega_.size(); ++i) {
-            rows_.push_back(sector_sums(spectrum.table().subspan(i * width, width)));
+            rows_.push_back(sector_sums(spectrum.row(i)));
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 #include "ocean/thread_pool.hpp"
 
@@ -96,7 +97,103 @@ class PackedModes::Packing {
         }
     }
 
+    /// Returns true if the modes of a row stand side by side on the map, as h0 has them.
+    bool is_plain() const {
+        return modes_.cascades.size() == 1 && modes_.stride(modes_.cascades[0]) == 1 && !factor_;
+    }
+
+    /// Packs the amplitudes of a block again; is_plain() must hold. to(kx): the place of kx, an FFT
+    /// index of the map, in the packets of the block.
+    template <typename To>
+    void pack_amplitudes(int block, const To& to) const {
+        // So many modes of each row at a time that rows and packets, whose strides are multiples of
+        // a cache's sets, stay in L1.
+        constexpr int kTile = 16;
+        const int half = modes_.half(modes_.cascades[0]);
+        for (int first = -half; first < half; first += kTile) {
+            float* target[kTile];
+            for (int i = 0; i < kTile; ++i) {
+                target[i] = first + i > -half ? to(fft_index(first + i, size_)) : nullptr;
+            }
+            for (int lane = 0; lane < lanes_ && block * lanes_ + lane < half; lane += kSquare) {
+                for (int i = 0; i < kTile; i += kSquare) {
+                    pack_square(first + i, block * lanes_ + lane, lane, target + i);
+                }
+            }
+        }
+    }
+
   private:
+    /// Modes along each side of a square that is turned in registers.
+    static constexpr int kSquare = 4;
+    using Four = float __attribute__((vector_size(kSquare * sizeof(float))));
+    struct FourModes {
+        Four re;
+        Four im;
+    };
+
+    static Four load_four(const std::complex<float>* first) {
+        Four four;
+        std::memcpy(&four, first, sizeof(four));
+        return four;
+    }
+    static FourModes four_modes(const std::complex<float>* first) {
+        const Four low = load_four(first);
+        const Four high = load_four(first + 2);
+        return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
+                __builtin_shufflevector(low, high, 1, 3, 5, 7)};
+    }
+    /// Returns the modes at n, n - 1, n - 2, n - 3 of a row.
+    static FourModes four_modes_back(const std::complex<float>* row, int n, int width) {
+        std::complex<float> around[kSquare];
+        const std::complex<float>* first = around;
+        if (n == 0) {
+            std::copy_n(row + width - 3, 3, around);
+            around[3] = row[0];
+        } else {
+            first = row + fft_index(n, width) - 3;
+        }
+        const Four low = load_four(first);
+        const Four high = load_four(first + 2);
+        return {__builtin_shufflevector(low, high, 6, 4, 2, 0),
+                __builtin_shufflevector(low, high, 7, 5, 3, 1)};
+    }
+
+    /// Packs the amplitudes of the modes n .. n + 3 of the rows ky .. ky + 3. target: of each n;
+    /// null: the map does not hold it.
+    void pack_square(int n, int ky, int lane, float* const* target) const {
+        const CascadeModes& cascade = modes_.cascades[0];
+        const int width = cascade.lattice.resolution;
+        const auto row = [&](int m) {
+            return &cascade.h0[static_cast<std::size_t>(fft_index(m, width)) *
+                               static_cast<std::size_t>(width)];
+        };
+        Four numbers[kRateHigh][kSquare];  // of the modes of each row
+        for (int i = 0; i < kSquare; ++i) {
+            const FourModes a = four_modes(row(ky + i) + fft_index(n, width));
+            const FourModes b = four_modes_back(row(-ky - i), -n, width);
+            numbers[kPRe][i] = a.re + b.re;
+            numbers[kPIm][i] = a.im - b.im;
+            numbers[kQRe][i] = a.im + b.im;
+            numbers[kQIm][i] = b.re - a.re;
+        }
+        for (int number = 0; number < kRateHigh; ++number) {
+            const Four(&in)[kSquare] = numbers[number];
+            const Four low01 = __builtin_shufflevector(in[0], in[1], 0, 4, 1, 5);
+            const Four high01 = __builtin_shufflevector(in[0], in[1], 2, 6, 3, 7);
+            const Four low23 = __builtin_shufflevector(in[2], in[3], 0, 4, 1, 5);
+            const Four high23 = __builtin_shufflevector(in[2], in[3], 2, 6, 3, 7);
+            const Four out[kSquare] = {__builtin_shufflevector(low01, low23, 0, 1, 4, 5),
+                                       __builtin_shufflevector(low01, low23, 2, 3, 6, 7),
+                                       __builtin_shufflevector(high01, high23, 0, 1, 4, 5),
+                                       __builtin_shufflevector(high01, high23, 2, 3, 6, 7)};
+            for (int i = 0; i < kSquare; ++i) {
+                if (target[i] == nullptr) continue;
+                std::memcpy(target[i] + number * lanes_ + lane, &out[i], sizeof(out[i]));
+            }
+        }
+    }
+
     std::size_t packet_floats(int j) const {
         return static_cast<std::size_t>((j == 0 ? kSinglesNumbers : kPairNumbers) * lanes_);
     }
@@ -228,6 +325,13 @@ bool PackedModes::refill(const MapModes& modes, ThreadPool& pool, const ModeFact
 }
 
 void PackedModes::pack_all(const Packing& packing, Numbers numbers, ThreadPool& pool) {
+    if (numbers == Numbers::amplitudes && packing.is_plain()) {
+        pool.for_each_item(columns_ / kernel_code(level_).lanes, [&](int block, int) {
+            packing.pack_amplitudes(block,
+                                    [&](int kx) { return packets_.data() + place(kx, block); });
+        });
+        return;
+    }
     const auto groups_per_block = static_cast<std::size_t>(size_ / first_factor(size_) / 2);
     std::vector<std::vector<float>> dense(static_cast<std::size_t>(pool.size()));
     pool.for_each_item(columns_ / kernel_code(level_).lanes, [&](int block, int thread) {

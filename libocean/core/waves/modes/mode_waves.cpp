@@ -8,6 +8,7 @@
 
 #include "ocean/thread_pool.hpp"
 #include "waves/modes/mode_lattice.hpp"
+#include "waves/modes/mode_rows_task.hpp"
 #include "waves/modes/quadrant_sampler.hpp"
 
 namespace ocean {
@@ -52,20 +53,30 @@ void join_axes(int m, QuadrantVariances& variances) {
 void row_variances(const QuadrantSampler& spectrum, const QuadrantRow& row, int m, int half,
                    QuadrantVariances& variances) {
     auto& v = variances.quarter;
-    for (std::vector<double>& quarter : v) quarter.assign(static_cast<std::size_t>(half), 0.0);
-    auto n = static_cast<std::size_t>(row.begin);
-    std::size_t point = 0;
-    for (const std::uint32_t points : row.points) {
-        for (const std::size_t end = point + points; point < end; ++point) {
-            const auto density = spectrum.density(row.omega[point], row.direction[point]);
-            for (std::size_t q = 0; q < 4; ++q) v[q][n] += row.weight[point] * density[q];
-        }
-        ++n;
+    for (std::vector<double>& quarter : v) {
+        quarter.resize(static_cast<std::size_t>(half));
+        std::fill(quarter.begin(), quarter.begin() + row.begin, 0.0);
+        std::fill(quarter.begin() + row.end, quarter.end(), 0.0);
     }
-    for (; n < static_cast<std::size_t>(row.end); ++n, ++point) {
-        const auto density = spectrum.density(row.omega[point], row.direction[point]);
-        for (std::size_t q = 0; q < 4; ++q) v[q][n] = row.weight[point] * density[q];
-    }
+    // The first cells have several points, the others one each.
+    const std::size_t several = row.points.size();
+    std::size_t points = 0;
+    for (const std::uint32_t cell : row.points) points += cell;
+    const auto write = [&](std::size_t cell, const std::uint32_t* points_of, std::size_t count,
+                           std::size_t first, std::size_t end) {
+        const std::size_t n = static_cast<std::size_t>(row.begin) + cell;
+        double* const to[4] = {v[0].data() + n, v[1].data() + n, v[2].data() + n, v[3].data() + n};
+        spectrum.write_variances({.count = count,
+                                  .points_of = points_of,
+                                  .points = end - first,
+                                  .omega = row.omega.data() + first,
+                                  .direction = row.direction.data() + first,
+                                  .weight = row.weight.data() + first},
+                                 to);
+    };
+    const std::size_t end = row.omega.size();
+    write(0, row.points.data(), several, 0, points);
+    write(several, nullptr, end - points, points, end);
     join_axes(m, variances);
 }
 
@@ -78,25 +89,31 @@ ModeRange with_waves(std::span<const double> variances) {
     return {static_cast<int>(first - variances.begin()), static_cast<int>(variances.rend() - last)};
 }
 
-/// Returns the amplitude of the real and of the imaginary part of h0, which share E |h0|^2 =
-/// variance / 2 evenly.
-double amplitude_of(double variance) {
-    return 0.5 * std::sqrt(variance);
-}
+/// The variances of one row of modes, (n, m) and (-n, m), and those of them that have waves.
+struct RowVariances {
+    std::span<const double> east;
+    std::span<const double> west;
+    ModeRange waves_east = with_waves(east);
+    ModeRange waves_west = with_waves(west);
+};
 
-/// Writes h0 of the modes (n, m) and (-n, m), one row of the lattice in FFT order.
-void write_row(std::span<const double> east, std::span<const double> west,
-               std::span<const std::complex<float>> noise, std::span<double> amplitude,
+/// Writes h0 of a row in FFT order.
+void write_row(const RowVariances& row, std::span<const std::complex<float>> noise,
                std::span<std::complex<float>> h0) {
-    const std::size_t size = h0.size();
-    const std::size_t half = size / 2;
-    for (std::size_t n = 0; n < half; ++n) amplitude[n] = amplitude_of(east[n]);
-    amplitude[half] = 0.0;
-    for (std::size_t n = 1; n < half; ++n) amplitude[size - n] = amplitude_of(west[n]);
-    for (std::size_t i = 0; i < size; ++i) {
-        // Adding 0 turns minus zero into zero, for modes without waves.
-        h0[i] = {static_cast<float>(amplitude[i] * static_cast<double>(noise[i].real())) + 0.0f,
-                 static_cast<float>(amplitude[i] * static_cast<double>(noise[i].imag())) + 0.0f};
+    std::fill(h0.begin(), h0.end(), std::complex<float>(0.0f));
+    const auto write = [&](const double* variance, std::ptrdiff_t step, std::size_t first,
+                           int count) {
+        mode_row_loops(simd_level())
+            .waves(variance, step, reinterpret_cast<const float*>(&noise[first]),
+                   static_cast<std::size_t>(count), reinterpret_cast<float*>(&h0[first]));
+    };
+    if (const auto [begin, end] = row.waves_east; begin < end) {
+        const auto first = static_cast<std::size_t>(begin);
+        write(&row.east[first], 1, first, end - begin);
+    }
+    if (const auto [begin, end] = row.waves_west; begin < end) {
+        const auto last = static_cast<std::size_t>(end - 1);
+        write(&row.west[last], -1, h0.size() - last, end - begin);
     }
 }
 
@@ -128,7 +145,6 @@ std::vector<double> ModeLattice::set_waves(const DirectionalSpectrum& spectrum, 
 struct ModeLattice::Work {
     QuadrantRow made;
     QuadrantVariances variances;
-    std::vector<double> amplitude;
     std::vector<std::complex<float>> noise;
 };
 
@@ -136,9 +152,14 @@ struct ModeLattice::Work {
 /// shell max(|n|, |m|) = s, and the variance of the modes that satisfy measures_band.
 class ModeLattice::ShellSums {
   public:
-    /// Begins sums of N/2 shells at 0.
-    void start(int shells) {
-        shells_.assign(static_cast<std::size_t>(shells), {});
+    /// Begins sums of N/2 shells at 0, for rows from `first` on, whose shells those are from there
+    /// on. measures: the modes' variance is needed.
+    void start(int shells, int first, bool measures) {
+        first_ = static_cast<std::size_t>(first);
+        for (std::vector<double>& sum : sums_) {
+            sum.assign(static_cast<std::size_t>(shells - first), 0.0);
+        }
+        measures_ = measures;
         measured_ = 0.0;
     }
 
@@ -146,47 +167,45 @@ class ModeLattice::ShellSums {
     void add(const Lattice& lattice, int m, int end, const QuadrantVariances& variances,
              std::span<const float> displacement) {
         const auto& v = variances.quarter;
-        const double step = lattice.wavenumber_step();
-        const double ky = step * m;
-        const auto add_modes = [&](std::size_t n, GradientCovariance& sum) {
-            const double kx = step * static_cast<double>(n);
-            const double square = static_cast<double>(displacement[n]) * displacement[n];
-            const double all = square * (v[0][n] + v[1][n] + v[2][n] + v[3][n]);
-            const double skew = square * (v[0][n] - v[1][n] + v[2][n] - v[3][n]) * kx * ky;
-            sum.aa += all * (kx * kx) * (kx * kx);
-            sum.bb += all * (ky * ky) * (ky * ky);
-            sum.ab += all * (kx * kx) * (ky * ky);
-            sum.ac += skew * (kx * kx);
-            sum.bc += skew * (ky * ky);
-        };
+        double* const sums[kShellSums] = {sums_[0].data(), sums_[1].data(), sums_[2].data(),
+                                          sums_[3].data(), sums_[4].data()};
+        mode_row_loops(simd_level())
+            .shells({.variance = {v[0].data(), v[1].data(), v[2].data(), v[3].data()},
+                     .displacement = displacement.data(),
+                     .step = lattice.wavenumber_step(),
+                     .row = m,
+                     .end = static_cast<std::size_t>(end)},
+                    first_, sums);
         const auto row = static_cast<std::size_t>(m);
         const auto last = static_cast<std::size_t>(end);
-        GradientCovariance own;
-        for (std::size_t n = 0; n <= row && n < last; ++n) add_modes(n, own);
-        shells_[row] += own;
-        for (std::size_t n = row + 1; n < last; ++n) add_modes(n, shells_[n]);
         // This is the condition of measures_band: inside the circle of the Nyquist line.
-        const std::size_t half = v[0].size();
-        for (std::size_t n = 0; n < last && n * n + row * row < half * half; ++n) {
+        const std::size_t half = variances.quarter[0].size();
+        for (std::size_t n = 0; measures_ && n < last && n * n + row * row < half * half; ++n) {
             measured_ += variances.sum(n);
         }
     }
 
-    void add(const ShellSums& other) {
-        measured_ += other.measured_;
-        for (std::size_t s = 0; s < shells_.size(); ++s) shells_[s] += other.shells_[s];
+    /// Adds sums over later rows.
+    void add(const ShellSums& later) {
+        measured_ += later.measured_;
+        for (std::size_t i = 0; i < kShellSums; ++i) {
+            double* const mine = sums_[i].data() + (later.first_ - first_);
+            for (std::size_t s = 0; s < later.sums_[i].size(); ++s) mine[s] += later.sums_[i][s];
+        }
     }
 
     double measured() const { return measured_; }
     GradientCovariance covariance(std::size_t s) const {
-        GradientCovariance covariance = shells_[s];
-        covariance.cc = covariance.ab;  // c^2 = kx^2 ky^2 (coth(kd) / k)^2 = a b
-        return covariance;
+        const double ab = sums_[2][s];
+        // c^2 = kx^2 ky^2 (coth(kd) / k)^2 = a b
+        return {sums_[0][s], sums_[1][s], ab, ab, sums_[3][s], sums_[4][s]};
     }
 
   private:
+    std::size_t first_ = 0;  // shell
+    std::vector<double> sums_[kShellSums];
+    bool measures_ = false;
     double measured_ = 0.0;  // variance, m^2
-    std::vector<GradientCovariance> shells_;
 };
 
 double ModeLattice::set_cascade(const Cascade& cascade, const QuadrantSampler& sampler,
@@ -196,13 +215,13 @@ double ModeLattice::set_cascade(const Cascade& cascade, const QuadrantSampler& s
     std::vector<ShellSums> sums(static_cast<std::size_t>(shares));
     pool.for_each_range(shares, [&](int first, int last) {
         Work work;
-        work.amplitude.resize(static_cast<std::size_t>(2 * half));
         work.noise.resize(static_cast<std::size_t>(2 * half));
         for (int i = first; i < last; ++i) {
             const int share = i * kShareStride % shares;
             ShellSums& sum = sums[static_cast<std::size_t>(share)];
-            sum.start(half);
-            for (int m = half * share / shares; m < half * (share + 1) / shares; ++m) {
+            const int begin = half * share / shares;
+            sum.start(half, begin, parameters_.grid.cascades > 1);
+            for (int m = begin; m < half * (share + 1) / shares; ++m) {
                 set_row(cascade, sampler, m, work, sum, modes);
             }
         }
@@ -223,13 +242,14 @@ void ModeLattice::set_row(const Cascade& cascade, const QuadrantSampler& sampler
     const auto write = [&](int ky, std::span<const double> east, std::span<const double> west) {
         const auto width = static_cast<std::size_t>(size);
         const std::size_t at = static_cast<std::size_t>(fft_index(ky, size)) * width;
+        const RowVariances variances{east, west};
         std::span<const std::complex<float>> noise = work.noise;
         if (kept_) {
             noise = std::span(cascade.noise).subspan(at, width);
         } else {
-            draw_row(cascade, ky, with_waves(east), with_waves(west), work.noise);
+            draw_row(cascade, ky, variances.waves_east, variances.waves_west, work.noise);
         }
-        write_row(east, west, noise, work.amplitude, std::span(modes.h0).subspan(at, width));
+        write_row(variances, noise, std::span(modes.h0).subspan(at, width));
     };
     write(m, v[0], v[1]);
     if (m > 0) write(-m, v[3], v[2]);

@@ -62,27 +62,29 @@ class SystemRows {
           factor_(calibration(system)),
           own_(static_cast<std::size_t>(system.directions)),
           low_(directions),
-          high_(directions) {}
+          high_(directions),
+          between_(directions) {}
 
-    void add_to(double omega, std::span<double> row) {
+    /// Returns the row at omega; null: it is zero. Valid until the next call.
+    const double* at(double omega) {
         const std::vector<double>& rows = system_.rows;
         // A merged row may belong to another system and differ by a rounding error from a row of
         // this system.
         if (omega < rows.front() * (1.0 - 0.5 * kJustOutside) ||
             omega > rows.back() * (1.0 + 0.5 * kJustOutside)) {
-            return;
+            return nullptr;
         }
         const auto upper = std::upper_bound(rows.begin() + 1, rows.end() - 1, omega);
         const auto high = static_cast<std::size_t>(upper - rows.begin());
         const double v = (omega - rows[high - 1]) / (rows[high] - rows[high - 1]);
-        if (v <= 0.0 || v >= 1.0) {
-            const double* values = v <= 0.0 ? part(low_, high - 1) : part(high_, high);
-            for (std::size_t j = 0; j < row.size(); ++j) row[j] += values[j];
-            return;
-        }
+        if (v <= 0.0) return part(low_, high - 1);
+        if (v >= 1.0) return part(high_, high);
         const double* below = part(low_, high - 1);
         const double* above = part(high_, high);
-        for (std::size_t j = 0; j < row.size(); ++j) row[j] += (1.0 - v) * below[j] + v * above[j];
+        for (std::size_t j = 0; j < between_.size(); ++j) {
+            between_[j] = (1.0 - v) * below[j] + v * above[j];
+        }
+        return between_.data();
     }
 
   private:
@@ -129,6 +131,7 @@ class SystemRows {
     std::vector<double> own_;
     Part low_;
     Part high_;
+    std::vector<double> between_;
 };
 
 struct Frequencies {
@@ -157,6 +160,33 @@ DirectionalSpectrum::DirectionalSpectrum(std::vector<double> angular_frequencies
       density_(std::move(density)),
       row_sum_(std::move(row_sum)) {}
 
+void DirectionalSpectrum::store_row(std::span<const double> densities, double* row) {
+    const std::size_t count = densities.size();
+    const double* const from = densities.data();
+    const std::size_t half = count / 2;
+    const auto store = [&](std::size_t j, double opposite) {
+        row[4 * j] = from[j];
+        row[4 * j + 1] = from[half - j];
+        row[4 * j + 2] = from[half + j];
+        row[4 * j + 3] = opposite;
+    };
+    store(0, from[0]);
+    for (std::size_t j = 1; j < count / 4 + 2; ++j) store(j, from[count - j]);
+}
+
+std::vector<double> DirectionalSpectrum::row(std::size_t number) const {
+    const double* const from = density_.get() + number * row_size(directions_);
+    const auto count = static_cast<std::size_t>(directions_);
+    std::vector<double> densities(count);
+    for (std::size_t j = 0; j <= count / 4; ++j) {
+        densities[j] = from[4 * j];
+        densities[count / 2 - j] = from[4 * j + 1];
+        densities[count / 2 + j] = from[4 * j + 2];
+        if (j > 0) densities[count - j] = from[4 * j + 3];
+    }
+    return densities;
+}
+
 double DirectionalSpectrum::density(double omega, double theta) const {
     if (flat() || omega < omega_.front() || omega >= omega_.back()) return 0.0;
     const auto upper = std::upper_bound(omega_.begin(), omega_.end(), omega);
@@ -168,11 +198,19 @@ double DirectionalSpectrum::density(double omega, double theta) const {
     const auto j = static_cast<std::size_t>(column);
     const double u = column - static_cast<double>(j);
     const auto width = static_cast<std::size_t>(directions_);
-    const std::size_t left = j % width;
-    const std::size_t right = (j + 1) % width;
+    // Each quarter of the directions is a mirror image of the first.
+    const auto place = [width](std::size_t direction) {
+        const std::size_t half = width / 2;
+        if (direction <= width / 4) return 4 * direction;
+        if (direction < half) return 4 * (half - direction) + 1;
+        if (direction <= half + width / 4) return 4 * (direction - half) + 2;
+        return 4 * (width - direction) + 3;
+    };
+    const std::size_t left = place(j % width);
+    const std::size_t right = place((j + 1) % width);
 
-    const double* low = density_.get() + row * width;
-    const double* high = low + width;
+    const double* low = density_.get() + row * row_size(directions_);
+    const double* high = low + row_size(directions_);
     const double at_low = low[left] + u * (low[right] - low[left]);
     const double at_high = high[left] + u * (high[right] - high[left]);
     return at_low + v * (at_high - at_low);
@@ -217,7 +255,7 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
     std::vector<double> east(omega_.size());
     std::vector<double> north(omega_.size());
     for (std::size_t i = 0; i < omega_.size(); ++i) {
-        const double* row = density_.get() + i * width;
+        const std::vector<double> row = this->row(i);
         for (std::size_t j = 0; j < width; ++j) {
             east[i] += row[j] * cosine[j];
             north[i] += row[j] * sine[j];
@@ -285,15 +323,27 @@ DirectionalSpectrum make_directional_spectrum(const Parameters& parameters, Thre
     const auto width = static_cast<std::size_t>(directions);
     std::vector<double> row_sum(rows.size());
     // Left uninitialised: each thread fills its rows.
-    const std::shared_ptr<double[]> density(new double[rows.size() * width]);
+    const std::size_t row_size = DirectionalSpectrum::row_size(directions);
+    const std::shared_ptr<double[]> density(new double[rows.size() * row_size]);
     pool.for_each_range(static_cast<int>(rows.size()), [&](int first, int last) {
         std::vector<SystemRows> parts;
         for (const WaveSystemTable& system : systems) parts.emplace_back(system, width);
+        std::vector<double> sum(width);
+        const std::vector<double> zero(width);
         for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-            const std::span<double> row(density.get() + i * width, width);
-            std::fill(row.begin(), row.end(), 0.0);
-            for (SystemRows& part : parts) part.add_to(rows[i], row);
-            row_sum[i] = row_total(row) * kTwoPi / directions;
+            const double* row = nullptr;
+            for (SystemRows& part : parts) {
+                const double* const other = part.at(rows[i]);
+                if (row != nullptr && other != nullptr) {
+                    for (std::size_t j = 0; j < width; ++j) sum[j] = row[j] + other[j];
+                    row = sum.data();
+                } else if (other != nullptr) {
+                    row = other;
+                }
+            }
+            const std::span<const double> densities(row != nullptr ? row : zero.data(), width);
+            row_sum[i] = row_total(densities) * kTwoPi / directions;
+            DirectionalSpectrum::store_row(densities, density.get() + i * row_size);
         }
     });
     return DirectionalSpectrum(std::move(rows), directions, density, std::move(row_sum));

@@ -133,9 +133,18 @@ SpreadingRows::SpreadingRows(const WaveSystem& system, double wave_age_inverse,
         log_cosine_.push_back(std::log(std::max(cosine * cosine, 1e-300)));
         distance_.push_back(std::abs(theta));
     }
+    const bool has_one_shape =
+        is_aligned(system_) || system_.spreading == SpreadingKind::cosine_squared;
+    if (!has_one_shape || system_.swell != 0.0) return;
+    same_everywhere_ = shape_;
+    scale_to_unit_integral(same_everywhere_);
 }
 
 void SpreadingRows::fill(double x, std::span<double> row) const {
+    if (!same_everywhere_.empty()) {
+        std::ranges::copy(same_everywhere_, row.begin());
+        return;
+    }
     const double swell = std::max(system_.swell, 0.0);
     const double exponent = base_exponent(system_, x, wave_age_inverse_) + swell_exponent(x, swell);
     const double* shape = shape_.data();

@@ -29,6 +29,8 @@ class SpreadingRows {
     std::vector<double> kept_;        // the share of energy kept there: opposing, against the wind
     std::vector<double> log_cosine_;  // ln cos^2(theta/2)
     std::vector<double> distance_;    // |theta|
+
+    std::vector<double> same_everywhere_;  // the row of every x; empty if rows differ
 };
 
 /// Returns the sum of the values, in eight parts side by side.

@@ -32,13 +32,23 @@ struct SpectralMoments {
 /// A table of densities [m^2 s/rad^2]. A row for each of a set of angular frequencies, which lie
 /// close where the density bends; a column for each direction 2 pi j / directions(), a multiple of
 /// four. Bilinear between the entries, 0 outside the rows. Immutable; copies share the table.
+///
+/// In memory a row has, for j = 0 .. directions() / 4 + 1, the densities towards theta = 2 pi j /
+/// directions(), pi - theta, pi + theta and -theta side by side. Modes are read in these four
+/// directions, and would otherwise wait for memory in four places.
 class DirectionalSpectrum {
   public:
     DirectionalSpectrum() = default;
-    /// Takes the columns of the table. row_sum: the density over all directions at each row, see
-    /// frequency_density.
+    /// Takes the table, as it is in memory. row_sum: the density over all directions at each row,
+    /// see frequency_density.
     DirectionalSpectrum(std::vector<double> angular_frequencies, int directions,
                         std::shared_ptr<const double[]> density, std::vector<double> row_sum);
+    /// Returns the numbers of a row in memory.
+    static std::size_t row_size(int directions) {
+        return 4 * (static_cast<std::size_t>(directions) / 4 + 2);
+    }
+    /// Writes a row of the table in memory from its densities, one for each direction.
+    static void store_row(std::span<const double> densities, double* row);
     /// Returns the density [m^2 s/rad^2] at omega [rad/s] and theta [rad].
     double density(double omega, double theta) const;
     /// Returns the integral of the density over all directions [m^2 s/rad].
@@ -50,9 +60,11 @@ class DirectionalSpectrum {
 
     std::span<const double> angular_frequencies() const { return omega_; }
     int directions() const { return directions_; }
-    /// Returns angular_frequencies().size() * directions() densities, row by row.
+    /// Returns the densities of a row, one for each direction.
+    std::vector<double> row(std::size_t number) const;
+    /// Returns the table as it is in memory, row by row.
     std::span<const double> table() const {
-        return {density_.get(), omega_.size() * static_cast<std::size_t>(directions_)};
+        return {density_.get(), omega_.size() * row_size(directions_)};
     }
     bool flat() const { return omega_.empty(); }
 
