@@ -18,6 +18,8 @@
 #include "ocean/thread_pool.hpp"
 #include "pass_traffic.hpp"
 #include "waves/kernel/map_kernel.hpp"
+#include "waves/kernel/packed_modes.hpp"
+#include "waves/modes/mode_lattice.hpp"
 
 namespace {
 
@@ -71,6 +73,19 @@ int main(int argc, char** argv) {
     count("rebuild",
           [&] { modes = make_modes(make_directional_spectrum(parameters), parameters, pool); });
 
+    // A performed change: other waves of the same lattice, packed for the same map.
+    const ModeLattice lattice(parameters, ModeLattice::Memory::keep, pool);
+    Modes live = lattice.still_modes(pool);
+    live.lattice_revision = Revision::begin();
+    PackedModes packed(map_modes(live, 0.0, kResolution), pool, simd_level());
+    Parameters windy = parameters;
+    count("change", [&] {
+        windy.waves.front().wind_speed = windy.waves.front().wind() + 0.1;
+        lattice.set_waves(make_directional_spectrum(windy, pool), windy.waves.front().wind(), pool,
+                          live);
+        packed.refill(map_modes(live, 0.0, kResolution), pool);
+    });
+
     using enum Linear;
     const std::vector<Linear> fields = {Linear::height,  displacement_x,  displacement_y,
                                         Linear::slope_x, Linear::slope_y, gradient_xx,
@@ -85,14 +100,19 @@ int main(int argc, char** argv) {
     vertices.add({nx, ny, nz});
     Maps planar;
     for (const Linear field : fields) planar.add({field});
+    Maps map;
+    map.add({dx, dy, Channel::height});
+    Maps tick;
+    tick.add({foam});
+    PageVector<float> before(modes.lattice.size(), 0.5f), kept(modes.lattice.size());
     Maps product;
     product.add({dx, dy, Channel::height});
     product.add({nx, ny, nz});
     product.add({whitecap});
     const auto frame = [&](const char* name, const Maps& maps, const SurfaceSettings& settings,
-                           int sources) {
-        count(name, [&] { kernel.run({modes.tau(12.34), settings, maps.outputs(), {}}, pool); });
-        int floats = 0;
+                           int sources, const FoamLayer& foam = {}) {
+        count(name, [&] { kernel.run({modes.tau(12.34), settings, maps.outputs(), foam}, pool); });
+        int floats = foam.kept != nullptr ? 2 : 0;  // the foam before, and what is kept
         for (const MapOutput& output : maps.outputs()) floats += output.components;
         const bench::PassTraffic traffic = bench::pass_traffic(kResolution, sources, floats);
         std::printf("%s %.0f\n", name, (traffic.one + traffic.two) / kLineBytes);
@@ -100,4 +120,8 @@ int main(int argc, char** argv) {
     frame("vertices", vertices, flat, 4);
     frame("planar", planar, flat, 5);
     frame("product", product, choppy, 5);
+    frame("map", map, choppy, 3);
+    FoamLayer layer{.map = before.data(), .fade = 0.99f, .cutoff = 1.0f / 512.0f};
+    layer.kept = kept.data();
+    frame("tick", tick, choppy, 3, layer);
 }
