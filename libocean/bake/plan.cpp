@@ -15,7 +15,6 @@
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
-#include "ocean/seafile.hpp"
 #include "ocean/version.hpp"
 #include "refuse.hpp"
 #include "sha256.hpp"

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/text.hpp"
 
 namespace ocean::bridge {

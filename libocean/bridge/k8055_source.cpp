@@ -11,7 +11,6 @@
 
 #include "k8055_board.hpp"
 #include "k8055_report.hpp"
-#include "ocean/internal/text.hpp"
 #include "source_thread.hpp"
 #include "usb_bus.hpp"
 #endif

@@ -13,7 +13,6 @@
 
 #include "midi_ports.hpp"
 #include "ocean/error.hpp"
-#include "ocean/internal/text.hpp"
 #ifdef OCEAN_HAVE_RTMIDI
 #include <RtMidi.h>
 #endif

@@ -11,7 +11,6 @@
 #include "ocean/domain.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/internal/surf_traces.hpp"
-#include "ocean/sea_bed.hpp"
 
 namespace ocean {
 namespace {

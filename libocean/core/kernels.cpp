@@ -17,6 +17,7 @@
 #include "coast/loops/signal_task.hpp"
 #include "hulls/wake_task.hpp"
 #include "land/gullies/gullies_task.hpp"
+#include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
 #include "waves/kernel/frame_task.hpp"
@@ -115,11 +116,8 @@ struct Processor {
 
 /// Returns the highest level that OCEAN_SIMD allows. Throws Error invalid_value.
 SimdLevel highest_level(std::string_view limit) {
-    using enum SimdLevel;
-    if (limit.empty()) return avx512;
-    for (const SimdLevel level : {portable, sse4, avx2, avx512}) {
-        if (simd_name(level) == limit) return level;
-    }
+    if (limit.empty()) return SimdLevel::avx512;
+    if (const auto level = enumerator_of<SimdLevel>(limit)) return *level;
     throw Error(ErrorKind::invalid_value, "OCEAN_SIMD = " + std::string(limit) +
                                               ": allowed are portable, sse4, avx2 and avx512");
 }
@@ -148,17 +146,7 @@ const Kernel& find_kernel(SimdLevel level) {
 }  // namespace
 
 std::string_view simd_name(SimdLevel level) {
-    switch (level) {
-        case SimdLevel::avx512:
-            return "avx512";
-        case SimdLevel::avx2:
-            return "avx2";
-        case SimdLevel::sse4:
-            return "sse4";
-        case SimdLevel::portable:
-            break;
-    }
-    return "portable";
+    return word_of(level);
 }
 
 bool simd_available(SimdLevel level) {

@@ -3,9 +3,7 @@
 //
 // Open Job Description: a job bundle. template.yaml lets the engine choose the frames of a task,
 // template_shards.yaml needs no extension of the specification.
-#include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "job.hpp"

@@ -10,7 +10,6 @@
 
 #include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/internal/foam.hpp"
-#include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/gl/textures.hpp"
 #include "ocean/parameter_table.hpp"
 

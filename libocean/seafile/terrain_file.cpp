@@ -16,7 +16,6 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/internal/terrain_base.hpp"
 #include "ocean/terrain_table.hpp"
 #include "table_reader.hpp"
 #include "table_writer.hpp"

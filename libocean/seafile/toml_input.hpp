@@ -11,8 +11,6 @@
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/impl/preprocessor.h>
 
-#include <cstdint>  // of the next of its headers, which leaves it out
-
 // toml++ 3.3 asserts, or lets the compiler assume, conditions that hostile text can violate (a key
 // that begins with '#' after a truncated value); the code behind each assertion reports the error.
 // Its tests for blanks declare letters from U+00A1 to U+0499 unreachable, although these are not

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <complex>
 #include <concepts>
-#include <optional>
 #include <span>
 #include <vector>
 

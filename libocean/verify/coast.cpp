@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <complex>
-#include <limits>
 #include <string>
 
 #include "bench.hpp"

@@ -12,7 +12,6 @@
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/crests.hpp"
 #include "ocean/internal/json.hpp"
-#include "ocean/internal/measured_rings.hpp"
 #include "ocean/internal/terrain_base.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"

@@ -16,7 +16,6 @@
 #include "ocean/internal/elevation_import.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/io/png.hpp"
-#include "ocean/internal/io/provenance.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/terrain_fit.hpp"
 #include "ocean/terrainfile.hpp"

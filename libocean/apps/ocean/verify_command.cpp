@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean verify`: runs the public verification suite on this machine.
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -19,7 +17,6 @@
 #include "ocean/internal/verify.hpp"
 #include "ocean/seafile.hpp"
 #include "subject_argument.hpp"
-#include "text.hpp"
 #include "verify/report.hpp"
 #if OCEAN_HAS_GL
 #include "ocean/gl/backend.hpp"

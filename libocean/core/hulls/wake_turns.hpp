@@ -5,7 +5,6 @@
 // that a sine and a cosine are two products.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How likely a sea makes its crests by itself, and what they do to the rest of the patch.
-#include <algorithm>
 #include <cmath>
 #include <string>
 

@@ -4,14 +4,12 @@
 // Rules of hulls and their tracks; see hull_rules.hpp.
 #include "ocean/internal/hull_rules.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
 
 #include "ocean/error.hpp"
 #include "ocean/internal/grid.hpp"
-#include "ocean/parameter_table.hpp"
 
 namespace ocean {
 namespace {
