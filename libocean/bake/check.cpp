@@ -21,6 +21,7 @@
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/internal/text.hpp"
+#include "refuse.hpp"
 #include "sha256.hpp"
 
 namespace ocean {
@@ -46,8 +47,7 @@ OutputPattern pattern_of(const std::string& path) {
     }
     const OutputPattern nameless(folder + "####.exr");
     if (is_of(nameless)) return nameless;
-    throw Error(ErrorKind::invalid_value,
-                "'" + path + "': neither a manifest of a bake nor its -o, out/sea.####.exr");
+    refuse("'" + path + "': neither a manifest of a bake nor its -o, out/sea.####.exr");
 }
 
 /// Returns a file's name with its frame number as #, which all files of a sequence share. A digit

@@ -16,6 +16,7 @@
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/io/read_provenance.hpp"
 #include "ocean/internal/platform.hpp"
+#include "refuse.hpp"
 #include "sha256.hpp"
 
 namespace ocean {
@@ -97,12 +98,11 @@ void refuse_to_overwrite_another_subject(const BakePlan& plan, const Manifest& m
     if (others.empty()) return;
     const std::string path = plan.pattern.file(plan.frames.front());
     const std::string kind(plan.subject->kind());
-    throw Error(ErrorKind::invalid_value,
-                "-o " + path + ": " +
-                    (plan.pattern.has_token() ? "frames of another " + kind + " are there: " +
-                                                    frames_text({others.begin(), others.end()})
-                                              : "the file there is of another " + kind) +
-                    "; --overwrite replaces them");
+    refuse("-o " + path + ": " +
+           (plan.pattern.has_token() ? "frames of another " + kind + " are there: " +
+                                           frames_text({others.begin(), others.end()})
+                                     : "the file there is of another " + kind) +
+           "; --overwrite replaces them");
 }
 
 }  // namespace

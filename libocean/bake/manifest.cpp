@@ -14,6 +14,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/platform.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 namespace {
@@ -81,10 +82,10 @@ void Manifest::load(const ManifestFile& file) {
         if (!text.empty()) found_.merge(parse_manifest(text));
     } catch (const Error& error) {
         if (text.find(kManifestKey) == std::string::npos) {
-            throw Error(ErrorKind::invalid_value, "'" + file.path +
-                                                      "' exists and is not a manifest "
-                                                      "of a bake: it is not replaced; move it or "
-                                                      "choose another --output");
+            refuse("'" + file.path +
+                   "' exists and is not a manifest "
+                   "of a bake: it is not replaced; move it or "
+                   "choose another --output");
         }
         const char* const then = file.path == path_ ? "; it will be replaced"
                                                     : "; the files that it lists are not known";

@@ -13,6 +13,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/grid.hpp"
 #include "ocean/subject.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 namespace {
@@ -94,7 +95,7 @@ int BakedHeader::whole_number(const std::string& name) const {
 
 BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const BakeFormat* format) {
     if (options.from.empty() == options.source.empty()) {
-        throw Error(ErrorKind::invalid_value, "bake: give SEA or --from FRAME.exr, one of them");
+        refuse("bake: give SEA or --from FRAME.exr, one of them");
     }
     if (options.from.empty()) return options;
     options.source = options.from;

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "ocean/error.hpp"
+#include "command.hpp"
 #include "ocean/internal/platform.hpp"
 
 namespace ocean::app {
@@ -29,9 +29,9 @@ void InputFiles::spare(const std::string& output) const {
     for (const std::string& path : paths_) {
         if (!std::filesystem::equivalent(utf8_path(path), utf8_path(output), missing)) continue;
         const bool same_name = path == output;
-        throw Error(ErrorKind::invalid_value, "'" + output + "' is an input of this command" +
-                                                  (same_name ? "" : ", as '" + path + "'") +
-                                                  ": it is not overwritten; choose another file");
+        refuse("'" + output + "' is an input of this command" +
+               (same_name ? "" : ", as '" + path + "'") +
+               ": it is not overwritten; choose another file");
     }
 }
 

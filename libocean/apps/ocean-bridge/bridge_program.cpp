@@ -4,10 +4,10 @@
 
 #include <memory>
 
+#include "command.hpp"
 #include "command_line.hpp"
 #include "learn.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/bridge/endpoint.hpp"
 #include "ocean/version.hpp"
 #include "serve.hpp"
@@ -46,8 +46,7 @@ void run(const Words& words, const Context& context) {
     const std::string token =
         words.serve.token_file.empty() ? "" : bridge::read_token(words.serve.token_file);
     if (words.serve.learn && !words.client.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--learn is for boards, --client for a bridge: use one of them");
+        refuse("--learn is for boards, --client for a bridge: use one of them");
     }
     if (words.serve.learn) return learn(words.serve, context);
     if (words.client.empty()) return serve(words.serve, token, context);

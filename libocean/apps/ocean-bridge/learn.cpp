@@ -9,9 +9,9 @@
 #include <utility>
 #include <variant>
 
+#include "command.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/bridge/control_map_file.hpp"
 #include "ocean/internal/bridge/devices.hpp"
 #include "ocean/internal/bridge/k8055_source.hpp"
@@ -85,8 +85,7 @@ std::string device_lines(const bridge::BoardEvent& event,
 
 void learn(const ServeWords& words, const Context& context) {
     if (!words.osc.empty() || !words.osc_to.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--learn is for boards; OSC needs no map, its addresses are names");
+        refuse("--learn is for boards; OSC needs no map, its addresses are names");
     }
     const bridge::ValueTable values(sea_of(words).parameters);
     bridge::Learner learner(values, *words.learn);

@@ -9,9 +9,9 @@
 #include <thread>
 #include <utility>
 
+#include "command.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/bridge/devices.hpp"
 #include "ocean/internal/bridge/hub.hpp"
 #include "ocean/internal/bridge/line_server.hpp"
@@ -108,10 +108,9 @@ std::vector<std::unique_ptr<bridge::Source>> file_sources(const ServeWords& word
     std::vector<std::unique_ptr<bridge::Source>> sources;
     if (words.dummy) {
         if (words.dummy->ends_with(".toml")) {
-            throw Error(ErrorKind::invalid_value,
-                        "--dummy " + *words.dummy +
-                            ": this would be its script; write the SEA before "
-                            "--dummy");
+            refuse("--dummy " + *words.dummy +
+                   ": this would be its script; write the SEA before "
+                   "--dummy");
         }
         std::vector<bridge::ScriptLine> script;
         if (!words.dummy->empty()) script = bridge::read_script(*words.dummy);
@@ -126,7 +125,7 @@ std::vector<std::unique_ptr<bridge::Source>> file_sources(const ServeWords& word
 Sea sea_of(const ServeWords& words) {
     if (!words.sea.source.empty()) return open_sea(words.sea);
     if (words.sea.assignments.empty()) return {};
-    throw Error(ErrorKind::invalid_value, "--set requires a SEA");
+    refuse("--set requires a SEA");
 }
 
 void serve(const ServeWords& words, const std::string& token, const Context& context) {

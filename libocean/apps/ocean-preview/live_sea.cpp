@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "command.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/modes.hpp"
@@ -192,8 +193,7 @@ void LiveSea::set(const std::string& name, const std::string& value) {
     if (live && std::ranges::any_of(played, [&](const TakeEvent& event) {
             return event.parameter.same_as(parameter);
         })) {
-        throw Error(ErrorKind::invalid_value,
-                    name + ": is played by the take; record to play it anew");
+        refuse(name + ": is played by the take; record to play it anew");
     }
     Sea changed = sea();
     set_in_sea(changed, name, value);
@@ -255,9 +255,8 @@ void LiveSea::drive_new_hull(double x, double y, double heading) {
 
 void LiveSea::begin_drive(Sea sea, std::size_t hull) {
     if (sea.parameters.time.loop_period != 0.0) {
-        throw Error(ErrorKind::invalid_value,
-                    "time.loop_period = " + shortest_text(sea.parameters.time.loop_period) +
-                        " s: a loop repeats and a driven hull does not; allowed: 0 to drive");
+        refuse("time.loop_period = " + shortest_text(sea.parameters.time.loop_period) +
+               " s: a loop repeats and a driven hull does not; allowed: 0 to drive");
     }
     Hull& driven = sea.parameters.hulls[hull];
     HullDrive motion(driven, time_);
@@ -334,9 +333,8 @@ void LiveSea::compute_anew() {
 void LiveSea::start_recording() {
     if (recording_) return;
     if (kept_.parameters.time.loop_period != 0.0) {
-        throw Error(ErrorKind::invalid_value,
-                    "time.loop_period = " + shortest_text(kept_.parameters.time.loop_period) +
-                        " s: a loop repeats and a recording does not; allowed: 0 to record");
+        refuse("time.loop_period = " + shortest_text(kept_.parameters.time.loop_period) +
+               " s: a loop repeats and a recording does not; allowed: 0 to record");
     }
     if (kept_.parameters.water.bed) {
         throw Error(ErrorKind::unsupported,

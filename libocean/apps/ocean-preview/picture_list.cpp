@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "command.hpp"
 #include "command_parser.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/error.hpp"
@@ -86,10 +87,9 @@ const Option& option_of(const std::vector<OptionGroup>& groups, const std::strin
             names.push_back(option.names);
         }
     }
-    throw Error(ErrorKind::invalid_value, "'" + name + "' is no option of one picture" +
-                                              did_you_mean(name, names) +
-                                              "; allowed are those of when, camera, light and "
-                                              "picture");
+    refuse("'" + name + "' is no option of one picture" + did_you_mean(name, names) +
+           "; allowed are those of when, camera, light and "
+           "picture");
 }
 
 /// "--heading 90", "--heading=90", "--wireframe".
@@ -107,7 +107,7 @@ std::vector<GivenOption> given_options(const std::vector<std::string>& line,
         } else if (++i < line.size()) {
             value = line[i];
         } else {
-            throw Error(ErrorKind::invalid_value, option.names + " has no value");
+            refuse(option.names + " has no value");
         }
         given.push_back({&option, std::move(value)});
     }
@@ -124,7 +124,7 @@ ListedPicture picture_of(const std::vector<std::string>& line, PreviewWords word
     RunOptions of_no_picture;
     for (const auto& [option, value] : given) assign(*option, value, of_no_picture);
     if (words.time && words.frame) {
-        throw Error(ErrorKind::invalid_value, "--frame excludes --time");
+        refuse("--frame excludes --time");
     }
     return {words.offscreen, preview_options(words, given, environments)};
 }
@@ -134,7 +134,7 @@ ListedPicture picture_of(const std::vector<std::string>& line, PreviewWords word
 void require_picture_name(const std::string& path, const std::string& option) {
     const std::string extension = OutputPattern(path).extension();
     if (extension == ".png" || extension == ".exr") return;
-    throw Error(ErrorKind::invalid_value, option + ": '" + path + "' does not end in .png or .exr");
+    refuse(option + ": '" + path + "' does not end in .png or .exr");
 }
 
 void require_picture_folder(const std::string& path) {

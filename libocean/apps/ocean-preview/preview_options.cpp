@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "command.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/io/panorama.hpp"
 #include "ocean/internal/text.hpp"
@@ -24,9 +24,8 @@ std::array<double, kCount> numbers(const std::string& text, const std::string& o
                                    std::array<std::array<double, 2>, kCount> ranges) {
     const std::vector<std::string> parts = split(text, ',');
     if (parts.size() != kCount) {
-        throw Error(ErrorKind::invalid_value, option + ": '" + text + "' is not " +
-                                                  std::to_string(kCount) +
-                                                  " numbers with commas between them");
+        refuse(option + ": '" + text + "' is not " + std::to_string(kCount) +
+               " numbers with commas between them");
     }
     std::array<double, kCount> values{};
     for (std::size_t i = 0; i < kCount; ++i) {
@@ -42,16 +41,14 @@ std::array<double, 3> place(const std::string& text, const std::string& option) 
 
 double within(double value, const std::string& option, double lowest, double highest) {
     if (value >= lowest && value <= highest) return value;
-    throw Error(ErrorKind::invalid_value, option + " is " + shortest_text(value) +
-                                              "; allowed: " + shortest_text(lowest) + " .. " +
-                                              shortest_text(highest));
+    refuse(option + " is " + shortest_text(value) + "; allowed: " + shortest_text(lowest) + " .. " +
+           shortest_text(highest));
 }
 
 std::array<int, 2> picture_size(const std::string& text) {
     const std::vector<std::string> parts = split(text, 'x');
     if (parts.size() != 2) {
-        throw Error(ErrorKind::invalid_value,
-                    "--size: '" + text + "' is not a width and a height, such as 1280x720");
+        refuse("--size: '" + text + "' is not a width and a height, such as 1280x720");
     }
     return {parse_whole_number(parts[0], "--size", 16, 16384),
             parse_whole_number(parts[1], "--size", 16, 16384)};
@@ -59,8 +56,7 @@ std::array<int, 2> picture_size(const std::string& text) {
 
 void require_power_of_two(int value, const std::string& option) {
     if (value >= 32 && value <= 4096 && (value & (value - 1)) == 0) return;
-    throw Error(ErrorKind::invalid_value,
-                option + " is " + std::to_string(value) + "; allowed: 32, 64, 128 .. 4096");
+    refuse(option + " is " + std::to_string(value) + "; allowed: 32, 64, 128 .. 4096");
 }
 
 std::vector<std::string> water_names() {
@@ -87,8 +83,7 @@ void place_camera(const PreviewWords& words, PreviewOptions& options) {
     if (!words.eye.empty()) place_eye(words.eye, options);
     if (!words.look_at.empty()) {
         if (words.heading || words.pitch) {
-            throw Error(ErrorKind::invalid_value,
-                        "--look-at and --heading or --pitch both turn the camera");
+            refuse("--look-at and --heading or --pitch both turn the camera");
         }
         options.look_at = place(words.look_at, "--look-at");
         camera.look_at(*options.look_at);
@@ -106,18 +101,17 @@ void join_bridge(const PreviewWords& words, PreviewOptions& options) {
     options.host = {.token = token, .map = words.board_map, .dummy = words.dummy};
     if (options.serve) options.host.listen = words.serve;
     if (options.serve && !words.bridge.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--serve runs a bridge, and --bridge joins another one");
+        refuse("--serve runs a bridge, and --bridge joins another one");
     }
     if (words.bridge.empty()) {
         if (!words.follow) return;
-        throw Error(ErrorKind::invalid_value, "--follow is for --bridge");
+        refuse("--follow is for --bridge");
     }
     options.bridge.emplace();
     options.bridge->server = bridge::parse_endpoint(words.bridge, "--bridge");
     options.bridge->token = token;
     if (!words.follow) return;
-    if (words.probes.empty()) throw Error(ErrorKind::invalid_value, "--follow is for --probe");
+    if (words.probes.empty()) refuse("--follow is for --probe");
     options.follow = within(*words.follow, "--follow", 0.0, 1e6);
 }
 
@@ -125,10 +119,10 @@ void place_environment(const PreviewWords& words, EnvironmentFiles& environments
                        preview::Look& look) {
     if (words.environment.empty()) {
         if (!words.environment_turn) return;
-        throw Error(ErrorKind::invalid_value, "--environment-turn is for --environment");
+        refuse("--environment-turn is for --environment");
     }
     if (!words.sun.empty()) {
-        throw Error(ErrorKind::invalid_value, "--environment has a sun of its own: no --sun");
+        refuse("--environment has a sun of its own: no --sun");
     }
     auto& environment = environments[words.environment];
     if (!environment) {
@@ -302,8 +296,7 @@ PreviewOptions preview_options(const PreviewWords& words, std::span<const GivenO
     if (words.map) require_power_of_two(*words.map, "--map");
     if (words.foam_map) require_power_of_two(*words.foam_map, "--foam-map");
     if (words.cells && (*words.cells % 8 != 0 || *words.cells < 16 || *words.cells > 512)) {
-        throw Error(ErrorKind::invalid_value,
-                    "--cells is " + std::to_string(*words.cells) + "; allowed: 16, 24, 32 .. 512");
+        refuse("--cells is " + std::to_string(*words.cells) + "; allowed: 16, 24, 32 .. 512");
     }
     if (words.egl_device) gl::use_egl_device(*words.egl_device);
     join_bridge(words, options);
@@ -311,14 +304,13 @@ PreviewOptions preview_options(const PreviewWords& words, std::span<const GivenO
     if (!words.offscreen.empty()) {
         require_picture_name(words.offscreen, "--offscreen");
         if (is_stage_picture(words.view) && OutputPattern(words.offscreen).extension() != ".png") {
-            throw Error(ErrorKind::invalid_value,
-                        "--view " + words.view +
-                            " can only be written as .png; `ocean bake --stage` writes its "
-                            "numbers");
+            refuse("--view " + words.view +
+                   " can only be written as .png; `ocean bake --stage` writes its "
+                   "numbers");
         }
     }
     if (words.record.empty() != words.frames.empty()) {
-        throw Error(ErrorKind::invalid_value, "--record FOLDER and --frames LIST go together");
+        refuse("--record FOLDER and --frames LIST go together");
     }
     if (!words.frames.empty()) options.frames = parse_frames(words.frames);
     options.detail = !words.no_detail;
@@ -334,14 +326,12 @@ void require_fit(const PreviewOptions& options, const OpenedScene& scene) {
     const std::string noun(row.kind);
     for (const auto& [kind, text] : options.special) {
         if (kind == row.kind || kind == row.includes(*scene)) continue;
-        throw Error(ErrorKind::invalid_value,
-                    text + " is for a " + std::string(kind) + "; this is a " + noun);
+        refuse(text + " is for a " + std::string(kind) + "; this is a " + noun);
     }
     const std::vector<std::string> views = all_view_names(row);
     if (std::ranges::find(views, options.view) == views.end()) {
-        throw Error(ErrorKind::invalid_value, "--view: a " + noun + " has no view '" +
-                                                  options.view +
-                                                  "'; allowed: " + joined(views, ", "));
+        refuse("--view: a " + noun + " has no view '" + options.view +
+               "'; allowed: " + joined(views, ", "));
     }
     row.require_fit(*scene, options);
 }

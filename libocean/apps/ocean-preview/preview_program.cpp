@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "command.hpp"
 #include "command_line.hpp"
 #include "console.hpp"
-#include "ocean/error.hpp"
 #include "ocean/version.hpp"
 #include "offscreen_run.hpp"
 #include "picture_list.hpp"
@@ -74,13 +74,13 @@ void run(const PreviewWords& words, const Context& context) {
     const bool in_window = options.offscreen.empty() && options.record.empty() &&
                            words.pictures.empty() && options.probes.empty() && options.budget == 0;
     if (options.serve && !in_window) {
-        throw Error(ErrorKind::invalid_value, "--serve is for the window; --bridge joins a bridge");
+        refuse("--serve is for the window; --bridge joins a bridge");
     }
     if (options.scale && !in_window) {
-        throw Error(ErrorKind::invalid_value, "--scale is for the window; --size is of a picture");
+        refuse("--scale is for the window; --size is of a picture");
     }
     if (options.bridge && !words.pictures.empty()) {
-        throw Error(ErrorKind::invalid_value, "--pictures shows the sea of its file: no --bridge");
+        refuse("--pictures shows the sea of its file: no --bridge");
     }
     if (in_window) {
         warn_of(scene, context);

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "command.hpp"
 #include "ocean/backend.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/map_request.hpp"
 
 namespace ocean::app {
@@ -249,9 +249,8 @@ StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, 
                                 std::string_view name) {
     const Modes& modes = sea.modes(time);
     if (cascade >= modes.cascades.size()) {
-        throw Error(ErrorKind::invalid_value, "there is no cascade " + std::to_string(cascade) +
-                                                  "; allowed: 0 .. " +
-                                                  std::to_string(modes.cascades.size() - 1));
+        refuse("there is no cascade " + std::to_string(cascade) + "; allowed: 0 .. " +
+               std::to_string(modes.cascades.size() - 1));
     }
     const int resolution = modes.cascades[cascade].lattice.resolution;
     const gl::StageImage image =

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "command.hpp"
 #include "land_camera.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/preview/probe.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/terrain_table.hpp"
@@ -143,10 +143,9 @@ StagePicture TerrainScene::stage(const std::string& view, int) {
     constexpr int kMaxResolution = 2048;  // a few seconds
     const int resolution = terrain_->model().resolution;
     if (options_.pace == Pace::window && resolution > kMaxResolution) {
-        throw Error(ErrorKind::invalid_value,
-                    "view " + view + ": a window shows stages of at most " +
-                        std::to_string(kMaxResolution) + " samples a side; resolution is " +
-                        std::to_string(resolution) + "; --offscreen shows any");
+        refuse("view " + view + ": a window shows stages of at most " +
+               std::to_string(kMaxResolution) + " samples a side; resolution is " +
+               std::to_string(resolution) + "; --offscreen shows any");
     }
     if (!stages_of_ || !(terrain_->modes().revision == stages_of_)) {
         stages_ = terrain_stages(*terrain_);

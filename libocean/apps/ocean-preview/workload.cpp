@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "command.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/backend.hpp"
 #include "ocean/internal/cascades.hpp"
@@ -65,7 +66,7 @@ std::optional<Backend> preview_backend(const std::string& name) {
     for (const Backend& backend : preview_backends()) {
         if (backend.name == name) return backend;
     }
-    throw Error(ErrorKind::invalid_value, "there is no backend '" + name + "'");
+    refuse("there is no backend '" + name + "'");
 }
 
 bool computes_by_shaders(const Backend& backend) {
@@ -91,7 +92,7 @@ const Backend& best_backend(const gl::ContextInfo& context) {
 const Backend& ChosenBackend::fitting(const std::string& why_not) {
     if (why_not.empty()) return chosen;
     const std::string name(chosen.name);
-    if (!fell_back) throw Error(ErrorKind::invalid_value, "backend " + name + ": " + why_not);
+    if (!fell_back) refuse("backend " + name + ": " + why_not);
     chosen = best_backend(info);
     fell_back(name + " " + why_not);
     return chosen;

@@ -8,16 +8,15 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bake_options.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/channel.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/bake/estimate.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/farm/farm_job.hpp"
@@ -163,9 +162,8 @@ void run(const FarmOptions& options, const Catalogue& catalogue, const Context& 
     const BakePlan plan = plan_bake(bake, catalogue, context);
     const std::size_t tasks_asked = static_cast<std::size_t>(options.tasks);
     if (tasks_asked > plan.frames.size()) {
-        throw Error(ErrorKind::invalid_value,
-                    format_text("--tasks %d: more than the %zu frames of the job", options.tasks,
-                                plan.frames.size()));
+        refuse(format_text("--tasks %d: more than the %zu frames of the job", options.tasks,
+                           plan.frames.size()));
     }
     FarmJob job{
         .sea_text = plan.subject_text,

@@ -9,13 +9,13 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/io/product_image.hpp"
 #include "ocean/internal/nearest_name.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/land_mask.hpp"
 #include "products/requested_families.hpp"
+#include "refuse.hpp"
 #include "sha256.hpp"
 #include "source.hpp"
 
@@ -96,9 +96,8 @@ Value choose(const char* option, const std::string& text,
     for (const auto& [name, value] : choices) {
         if (text == name) return value;
     }
-    throw Error(ErrorKind::invalid_value, std::string(option) + " " + text + ": allowed are " +
-                                              joined(choices, ", ", &Choice::first) +
-                                              did_you_mean(text, choices, &Choice::first));
+    refuse(std::string(option) + " " + text + ": allowed are " +
+           joined(choices, ", ", &Choice::first) + did_you_mean(text, choices, &Choice::first));
 }
 
 std::optional<ProductChoice> product_choice(const Catalogue& catalogue) {

@@ -19,6 +19,7 @@
 #include "ocean/land_mask.hpp"
 #include "ocean/terrain.hpp"
 #include "ocean/terrainfile.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 namespace {
@@ -139,7 +140,7 @@ std::optional<LandLod> read_land_lod(const BakeOptions& options) {
     if (typed.empty()) return std::nullopt;
     const std::vector<std::string> numbers = split(typed, ',');
     if (numbers.size() != 3) {
-        throw Error(ErrorKind::invalid_value, "--lod " + typed + ": allowed is EX,EY,EZ in metres");
+        refuse("--lod " + typed + ": allowed is EX,EY,EZ in metres");
     }
     LandLod lod;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -169,7 +170,7 @@ LandLod resolve_land_lod(const BakePlan& draft, const LandLod& requested) {
     lod.ground = ground[0].height;
     const std::vector<LandPatch> patches = select(quadtree, lod.view(), {});
     if (patches.empty()) {
-        throw Error(ErrorKind::invalid_value, "--lod: no land lies within --farthest of the eye");
+        refuse("--lod: no land lies within --farthest of the eye");
     }
     for (const LandPatch& patch : patches) {
         const auto side = static_cast<std::uint64_t>(patch.quads(quadtree)) + 1;

@@ -8,13 +8,13 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/cascades.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/mesh2.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 namespace {
@@ -54,8 +54,7 @@ std::optional<io::View> read_view(const BakeOptions& options) {
     if (typed.empty()) return std::nullopt;
     const std::vector<std::string> eye = split(typed, ',');
     if (eye.size() != 3) {
-        throw Error(ErrorKind::invalid_value,
-                    "--eye " + typed + ": allowed is X,Y,HEIGHT in metres");
+        refuse("--eye " + typed + ": allowed is X,Y,HEIGHT in metres");
     }
     io::View view;
     view.x = parse_number(eye[0], "--eye X", -1e6, 1e6);
@@ -82,7 +81,7 @@ Mesh2Settings read_options(const BakeOptions& options, const Catalogue&) {
     Mesh2Settings settings{read_view(options), !options.format_option("slope-variance").empty(),
                            !options.format_option("mesh-foam").empty()};
     if (settings.view && settings.cover) {
-        throw Error(ErrorKind::invalid_value, "--mesh-foam: a mesh to the horizon has no foam");
+        refuse("--mesh-foam: a mesh to the horizon has no foam");
     }
     return settings;
 }

@@ -11,6 +11,7 @@
 #include "ocean/internal/grid.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/land_mask.hpp"
+#include "refuse.hpp"
 #include "source.hpp"
 
 namespace ocean {
@@ -74,8 +75,7 @@ FormatPlan<PlainMesh> resolve_plain_mesh(const BakePlan& draft, const PlainMesh&
     for (const Product* product : mesh.products) maps.channels = maps.channels | product->set();
     if (mesh.cut) {
         if (draft.domain().wraps) {
-            throw Error(ErrorKind::invalid_value,
-                        "--cut-hulls: maps of one period have no hulls; it needs --region");
+            refuse("--cut-hulls: maps of one period have no hulls; it needs --region");
         }
         maps.channels = maps.channels | ChannelSet(kDry);
     }

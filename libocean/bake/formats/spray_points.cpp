@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "formats/formats.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/internal/text.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
+#include "refuse.hpp"
 #include "source.hpp"
 
 namespace ocean {
@@ -58,8 +58,8 @@ void refuse_spray_options(const BakeOptions& options, std::string_view products)
     for (const Setting& setting : settings_of({})) {
         const std::string& value = options.format_option(setting.option);
         if (value.empty()) continue;
-        throw Error(ErrorKind::invalid_value, "--" + std::string(setting.option) + " " + value +
-                                                  ": needs --products " + std::string(products));
+        refuse("--" + std::string(setting.option) + " " + value + ": needs --products " +
+               std::string(products));
     }
 }
 

@@ -12,10 +12,10 @@
 #include "formats/formats.hpp"
 #include "formats/plain_mesh.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/io/output_file.hpp"
 #include "ocean/internal/text.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 namespace {
@@ -42,9 +42,9 @@ PlainMesh read_options(const BakeOptions& options, const Catalogue& catalogue) {
 /// Throws Error invalid_value unless the frames are FIRST-LASTxSTEP.
 void require_even_steps(const std::vector<int>& frames) {
     if (io::even_step(frames)) return;
-    throw Error(ErrorKind::invalid_value,
-                "a USD stage has frames at even steps: allowed is --frames FIRST-LAST or "
-                "FIRST-LASTxSTEP");
+    refuse(
+        "a USD stage has frames at even steps: allowed is --frames FIRST-LAST or "
+        "FIRST-LASTxSTEP");
 }
 
 std::string file_name(const std::string& path) {
@@ -60,17 +60,15 @@ std::string stem_of(const BakePlan& plan) {
 FormatPlan<PlainMesh> resolve(const BakePlan& draft, const PlainMesh& requested) {
     require_even_steps(draft.all_frames);
     if (draft.all_frames.front() < 0) {
-        throw Error(ErrorKind::invalid_value,
-                    "a USD stage names its frames by ####, which has no sign: allowed are frames "
-                    "from 0 on");
+        refuse(
+            "a USD stage names its frames by ####, which has no sign: allowed are frames "
+            "from 0 on");
     }
     if (file_name(stem_of(draft)).find('\\') != std::string::npos) {
-        throw Error(ErrorKind::invalid_value,
-                    "a USD stage reads '\\' in a name as a folder: allowed are names without it");
+        refuse("a USD stage reads '\\' in a name as a folder: allowed are names without it");
     }
     if (file_name(stem_of(draft)).find("@@@") != std::string::npos) {
-        throw Error(ErrorKind::invalid_value,
-                    "a USD stage ends a name at '@@@': allowed are names without it");
+        refuse("a USD stage ends a name at '@@@': allowed are names without it");
     }
     return resolve_plain_mesh(draft, requested);
 }

@@ -10,8 +10,7 @@
 #include "formats/spray_points.hpp"
 #include "formats/volumes.hpp"
 #include "ocean/bake/typed_format.hpp"
-#include "ocean/error.hpp"
-#include "ocean/seafile.hpp"
+#include "refuse.hpp"
 #include "source.hpp"
 
 namespace ocean {
@@ -45,8 +44,8 @@ VolumesOrSpray read_options(const BakeOptions& options, const Catalogue& catalog
     for (const char* const name : {"box", "voxel", "velocity-voxel", "mist", "type"}) {
         const std::string& value = options.format_option(name);
         if (value.empty()) continue;
-        throw Error(ErrorKind::invalid_value, "--" + std::string(name) + " " + value +
-                                                  ": only volumes have it, and spray is points");
+        refuse("--" + std::string(name) + " " + value +
+               ": only volumes have it, and spray is points");
     }
     return read_spray(options);
 }

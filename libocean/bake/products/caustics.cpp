@@ -14,6 +14,7 @@
 #include "ocean/seafile.hpp"
 #include "ocean/thread_pool.hpp"
 #include "products/products.hpp"
+#include "refuse.hpp"
 #include "source.hpp"
 
 namespace ocean {
@@ -51,8 +52,7 @@ CausticsRequest read(const BakeOptions& options) {
     }
     const std::vector<std::string> angles = split(sun.empty() ? kDefaultSun : sun, ',');
     if (angles.size() != 2) {
-        throw Error(ErrorKind::invalid_value,
-                    "--sun " + sun + ": two numbers are needed, ALTITUDE,BEARING");
+        refuse("--sun " + sun + ": two numbers are needed, ALTITUDE,BEARING");
     }
     settings.resolved.sun_altitude =
         parse_number(trimmed(angles[0]), "--sun, altitude", kMinCausticsSunAltitude, 90.0);
@@ -79,9 +79,8 @@ MadePlan<CausticsRequest> resolve(const BakePlan& draft, const CausticsRequest& 
     CausticsRequest settings = requested;
     settings.resolved.depth = requested.depth.value_or(std::min(water, kDefaultDepth));
     if (settings.resolved.depth > water) {
-        throw Error(ErrorKind::invalid_value,
-                    "--caustics-depth " + shortest_text(settings.resolved.depth) + ": the sea is " +
-                        shortest_text(water) + " m deep");
+        refuse("--caustics-depth " + shortest_text(settings.resolved.depth) + ": the sea is " +
+               shortest_text(water) + " m deep");
     }
     return {products, kCausticsChannels, settings};
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ocean/bake/plan.hpp"
-#include "ocean/error.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 
@@ -29,14 +29,13 @@ std::vector<RequestedFamily> read_families(const BakeOptions& options, const Cat
         for (const FormatOption& option : made->options()) {
             const std::string& value = options.format_option(option.name);
             if (value.empty() || is_requested) continue;
-            throw Error(ErrorKind::invalid_value, "--" + option.name + " " + value + ": needs " +
-                                                      std::string(made->products.front().name) +
-                                                      " among the --products");
+            refuse("--" + option.name + " " + value + ": needs " +
+                   std::string(made->products.front().name) + " among the --products");
         }
         if (!is_requested) continue;
         if (is_layered && !made->tiles.empty()) {
-            throw Error(ErrorKind::invalid_value, "--layout layered: " + std::string(made->tiles) +
-                                                      " do not have the size of the sea's map");
+            refuse("--layout layered: " + std::string(made->tiles) +
+                   " do not have the size of the sea's map");
         }
         families.push_back({made, made->read(options)});
     }

@@ -20,6 +20,7 @@
 #include "ocean/seafile.hpp"
 #include "ocean/thread_pool.hpp"
 #include "products/products.hpp"
+#include "refuse.hpp"
 #include "source.hpp"
 
 namespace ocean {
@@ -99,19 +100,16 @@ std::vector<const Product*> with_bands(const std::vector<const Product*>& produc
         const std::size_t bands = detail_bands(parameters, settings).size();
         const auto band = band_of(*product);
         if (bands == 0 || band.value_or(0) >= bands) {
-            throw Error(ErrorKind::invalid_value,
-                        "--products " + std::string(product->name) + ": beside a map of " +
-                            std::to_string(settings.resolution) + " samples this sea has " +
-                            (bands == 0 ? "no waves left down to 12 mm"
-                                        : std::to_string(bands) + " bands"));
+            refuse("--products " + std::string(product->name) + ": beside a map of " +
+                   std::to_string(settings.resolution) + " samples this sea has " +
+                   (bands == 0 ? "no waves left down to 12 mm" : std::to_string(bands) + " bands"));
         }
         const std::size_t first = band.value_or(0);
         const std::size_t last = band ? first : bands - 1;
         for (std::size_t i = first; i <= last; ++i) {
             const Product* const one = &kDetailProducts[i + 1];
             if (std::ranges::find(all, one) != all.end()) {
-                throw Error(ErrorKind::invalid_value,
-                            "--products: " + std::string(one->name) + " is repeated");
+                refuse("--products: " + std::string(one->name) + " is repeated");
             }
             all.push_back(one);
         }

@@ -13,6 +13,7 @@
 #include "ocean/internal/terrain_stages.hpp"
 #include "ocean/terrainfile.hpp"
 #include "products.hpp"
+#include "refuse.hpp"
 
 namespace ocean {
 namespace {
@@ -45,10 +46,9 @@ MadePlan<NoSettings> resolve(const BakePlan& draft, const NoSettings&,
     }
     const Domain domain = draft.domain();
     if (domain.samples != std::array{terrain->resolution, terrain->resolution}) {
-        throw Error(ErrorKind::invalid_value,
-                    "the steps of the synthesis have the terrain's own resolution, " +
-                        std::to_string(terrain->resolution) +
-                        " samples along each side of one tile: `--set resolution=R` changes it");
+        refuse("the steps of the synthesis have the terrain's own resolution, " +
+               std::to_string(terrain->resolution) +
+               " samples along each side of one tile: `--set resolution=R` changes it");
     }
     return {products, {Channel::height}, {}};
 }
