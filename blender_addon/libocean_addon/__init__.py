@@ -4,11 +4,11 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 
 import bpy
 
-from . import translations
 from .shared import native
 from .shared.compat import tr_label
 from .shared.drawing import say
@@ -44,69 +44,46 @@ class MissingLibrary(bpy.types.AddonPreferences):
         say(self.layout, _problem(), "ERROR")
 
 
-def parts() -> list:
-    """The modules that have something to register, in that order."""
-    if native.libocean is None:
-        return [translations]
-    from . import handlers, manual, subjects, whole_sea
-    from .assets import asset_library
-    from .bake import bake, farm
-    from .coast import operators as coast_operators
-    from .coast import panels as coast_panels
-    from .coast import properties as coast_properties
-    from .floating import floating
-    from .look import first_view, material
-    from .sea import (
-        crest_operators,
-        crest_panels,
-        hints,
-        hull_properties,
-        hulls,
-        operators,
-        panels,
-        properties,
-        records,
-    )
-    from .terrain import look_panels as terrain_look_panels
-    from .terrain import material as terrain_material
-    from .terrain import operators as terrain_operators
-    from .terrain import panels as terrain_panels
-    from .terrain import properties as terrain_properties
-    from .terrain import trees
-    from .volumes import volumes
+_PARTS = (
+    "translations",
+    "sea.hull_properties",
+    "sea.properties",
+    "look.material",
+    "sea.operators",
+    "sea.crest_operators",
+    "look.first_view",
+    "sea.records",
+    "bake.bake",
+    "bake.farm",
+    "volumes.volumes",
+    "sea.hints",
+    "whole_sea",
+    "sea.panels",
+    "sea.crest_panels",
+    "sea.hulls",
+    "terrain.properties",
+    "terrain.operators",
+    "terrain.material",
+    "terrain.trees",
+    "terrain.panels",
+    "terrain.look_panels",
+    "coast.properties",
+    "coast.operators",
+    "coast.panels",
+    "assets.asset_library",
+    "floating.floating",
+    "subjects",
+    "handlers",
+    "manual",
+)
+"""The modules that have something to register, in that order. Without the library, which the others
+need, it is the first one alone."""
 
-    return [
-        translations,
-        hull_properties,
-        properties,
-        material,
-        operators,
-        crest_operators,
-        first_view,
-        records,
-        bake,
-        farm,
-        volumes,
-        hints,
-        whole_sea,
-        panels,
-        crest_panels,
-        hulls,
-        terrain_properties,
-        terrain_operators,
-        terrain_material,
-        trees,
-        terrain_panels,
-        terrain_look_panels,
-        coast_properties,
-        coast_operators,
-        coast_panels,
-        asset_library,
-        floating,
-        subjects,
-        handlers,
-        manual,
-    ]
+
+def parts() -> list:
+    """Returns the modules that have something to register, in that order."""
+    names = _PARTS[:1] if native.libocean is None else _PARTS
+    return [importlib.import_module(f".{name}", __package__) for name in names]
 
 
 def register() -> None:
