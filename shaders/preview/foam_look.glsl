@@ -23,7 +23,7 @@ const float streak_tile = 97.0;
 // Their widest patches.
 const float streak_cell = 14.0;
 // The end of a swash, of waves of half a metre and more: cover of its line of foam, and of the foam
-// behind; depths [m] below which foam opens, where the line ends, and where the foam behind it ends.
+// behind; depths [m] below which foam opens, where the line ends, and where that behind it ends.
 const float swash_cover = 0.8;
 const float swash_behind = 0.3;
 const float swash_tip = 0.012;
