@@ -7,24 +7,11 @@
 
 #include <cstddef>
 
+#define OCEAN_MM(name) _mm512_##name
+#include "simd_x86.hpp"
+
 namespace ocean::OCEAN_KERNEL {
 
-/// Returns a b + c; fms a b - c, fnma c - a b; rounded once.
-OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
-    return Lanes(_mm512_fmadd_ps(a.v, b.v, c.v));
-}
-OCEAN_INLINE Vec fms(Vec a, Vec b, Vec c) {
-    return Lanes(_mm512_fmsub_ps(a.v, b.v, c.v));
-}
-OCEAN_INLINE Vec fnma(Vec a, Vec b, Vec c) {
-    return Lanes(_mm512_fnmadd_ps(a.v, b.v, c.v));
-}
-OCEAN_INLINE Vec min(Vec a, Vec b) {
-    return Lanes(_mm512_min_ps(a.v, b.v));
-}
-OCEAN_INLINE Vec max(Vec a, Vec b) {
-    return Lanes(_mm512_max_ps(a.v, b.v));
-}
 /// Returns the nearest integer, ties to even.
 OCEAN_INLINE Vec nearest(Vec x) {
     return Lanes(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
@@ -32,26 +19,6 @@ OCEAN_INLINE Vec nearest(Vec x) {
 /// Returns true if a lane of a is below b.
 OCEAN_INLINE bool any_below(Vec a, Vec b) {
     return _mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ) != 0;
-}
-/// Stores past the caches, to memory.
-OCEAN_INLINE void stream(float* p, Vec x) {
-    _mm512_stream_ps(p, x.v);
-}
-OCEAN_INLINE void finish_streams() {
-    _mm_sfence();
-}
-
-/// Interleaves per quad: a0 b0 a1 b1; a2 b2 a3 b3.
-OCEAN_INLINE Vec unpack_low(Vec a, Vec b) {
-    return Lanes(_mm512_unpacklo_ps(a.v, b.v));
-}
-OCEAN_INLINE Vec unpack_high(Vec a, Vec b) {
-    return Lanes(_mm512_unpackhi_ps(a.v, b.v));
-}
-/// Returns, per quad, two chosen floats of a, then two of b.
-template <int k0, int k1, int k2, int k3>
-OCEAN_INLINE Vec pick(Vec a, Vec b) {
-    return Lanes(_mm512_shuffle_ps(a.v, b.v, k0 | k1 << 2 | k2 << 4 | k3 << 6));
 }
 /// Loads quad q from p[q * 4 * stride .. + 3].
 OCEAN_INLINE Vec load_quads(const float* p, std::size_t stride) {
