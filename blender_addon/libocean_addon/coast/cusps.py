@@ -31,6 +31,8 @@ _HIGHEST = 0.07
 land, clip_depth. Higher ones are as wide as samples of a bed and belong to it."""
 _NO_BEACH = 0.25
 """The slope from which ground has no cusps."""
+_SAMPLES = 128
+"""The samples along a side by which the slope of the beaches is known."""
 _WAVES = 24
 _SHARES = (0.25, 1.2)
 """The wavelengths of the relief, in spacings: all sizes between, the height as the length."""
@@ -61,9 +63,10 @@ class Cusps:
         and of one whose bed is unknown."""
         if grid.bed is None or grid.ratio == 1:
             return None
+        step = grid.extent.step_for(_SAMPLES)  # each frame asks
+        heights, normals = (field[::step, ::step] for field in (grid.bed.heights, grid.bed.normals))
         low, high = grid.band
-        is_beach = (grid.bed.heights > low) & (grid.bed.heights < high)
-        slopes = _slope_of(grid.bed.normals[is_beach])
+        slopes = _slope_of(normals[(heights > low) & (heights < high)])
         slopes = slopes[slopes < _NO_BEACH]
         if not len(slopes):
             return None

@@ -51,7 +51,10 @@ def follow(land, grid: Grid, wet: float, cusps: Cusps | None = None) -> None:
     def make(mesh) -> None:
         vertices, heights = grid.places, grid.read(bed.heights)
         normals = grid.read(bed.normals)
-        beach = np.clip((wet + DRY_SAND - heights) / DRY_SAND, 0.0, 1.0)
+        # The middle of the edge lies at the end of the sand; on lands without cusps, those of
+        # earlier versions, sand thins out up to there.
+        ends = wet + DRY_SAND * (1.0 if cusps is None else 1.5)
+        beach = np.clip((ends - heights) / DRY_SAND, 0.0, 1.0)
         if cusps is not None:
             higher, slopes = cusps.at(grid)
             heights = _rounded(heights + higher, _STEP)
