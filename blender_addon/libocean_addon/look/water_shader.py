@@ -258,18 +258,18 @@ def _inside_hull(t: Tree):
     return t.number("GREATER_THAN", deepest, 0.0)
 
 
-def _foam(t: Tree, inputs) -> foam_nodes.Foam:
+def _foam(t: Tree, inputs, depth, there) -> foam_nodes.Foam:
     """Returns the foam on the water and in the trails of hulls: none where the attributes are 0,
-    full cover where one is 1. Bubbles gather where foam has been for long."""
+    full cover where one is 1. Bubbles gather where foam has been for long. depth, there: as of
+    _depth()."""
 
-    def make(t: Tree, *sockets) -> list:
+    def make(t: Tree, depth, there, *sockets) -> list:
         inputs, hidden = dict(zip(_OF_FOAM, sockets, strict=True)), _trail(t)
 
         def stored(name: str):
             found = t.node("ShaderNodeAttribute", attribute_name=name).outputs["Fac"]
             return t.number("MAXIMUM", found, hidden)
 
-        depth, there = _depth(t)
         line = foam_nodes.foam_swash(t, depth, there, inputs["Wave Height"])
         line = t.number("MULTIPLY", line, inputs["Swash Line"])
         cover = t.number("MAXIMUM", stored("cover"), line)
@@ -281,7 +281,9 @@ def _foam(t: Tree, inputs) -> foam_nodes.Foam:
         foam = foam_nodes.foam(t, cover, driven, place(t), side, inputs)
         return [foam.mask, foam.thickness, foam.height, foam.bubbles]
 
-    return foam_nodes.Foam(*t.nested("foam", make, *(inputs[name] for name in _OF_FOAM)))
+    return foam_nodes.Foam(
+        *t.nested("foam", make, depth, there, *(inputs[name] for name in _OF_FOAM))
+    )
 
 
 def _froth(t: Tree, inputs, foam: foam_nodes.Foam, normal):
@@ -369,7 +371,7 @@ def _build(group) -> None:
     roughness = t.number("POWER", slopes, 0.25)
     reflectance = _reflectance(t, inputs["IOR"], normal, slopes)
 
-    foam = _foam(t, inputs)
+    foam = _foam(t, inputs, depth, there)
     below = t.math("ADD", inputs["Water Colour"], t.scale(inputs["Bubble Colour"], foam.bubbles))
     below = _over_bed(t, inputs, below, depth, there)
     body = t.shader("ShaderNodeBsdfDiffuse", Color=below, Normal=normal)
