@@ -69,35 +69,6 @@ TEST(BandSignals, ReadsAreTheSumsOfTheirModes) {
     }
 }
 
-// exact() is consistent in itself: its gradient and rate are the differences of its value. Those of
-// a step h err by q^3 h^2 / 6 of a wave, q = k or omega; |eta| is below 7 standard deviations.
-TEST(BandSignals, GradientAndRateAreDifferencesOfTheSignal) {
-    const DividedSea sea(test::wind_sea(64, 300.0));
-    const BandSignals signals(sea.modes, sea.bands);
-    constexpr double kStep = 1e-3;
-    for (std::size_t pair = 0; pair < signals.count(); ++pair) {
-        const ShoreWaves& waves = sea.bands.waves[pair];
-        const double k = sea.bands.edges[static_cast<std::size_t>(waves.band) + 1];
-        const double omega = Dispersion(sea.parameters.water).angular_frequency(k);
-        const auto bound = [&](double q) {
-            return 7.0 * std::sqrt(waves.variance) * q * q * q * kStep * kStep / 6.0;
-        };
-        const Places at(3, 0.0, 300.0);
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            const auto value = [&](double dx, double dy, double dt) {
-                return signals.exact(pair, 40.0 + dt, at.x[i] + dx, at.y[i] + dy).value;
-            };
-            const ExactSignal exact = signals.exact(pair, 40.0, at.x[i], at.y[i]);
-            const auto difference = [&](double x, double y, double t) {
-                return (value(x, y, t) - value(-x, -y, -t)) / (2.0 * kStep);
-            };
-            EXPECT_LT(std::abs(exact.by_x - difference(kStep, 0, 0)), bound(k));
-            EXPECT_LT(std::abs(exact.by_y - difference(0, kStep, 0)), bound(k));
-            EXPECT_LT(std::abs(exact.rate - difference(0, 0, kStep)), bound(omega));
-        }
-    }
-}
-
 // One wave of amplitude 1 is e^(i (k.x - omega t)): it travels along +k, into the sector of its k.
 TEST(BandSignals, AWaveTravelsIntoItsSector) {
     const Parameters parameters = test::wind_sea(64, 300.0);
@@ -160,22 +131,6 @@ TEST(BandSignals, ALoopCloses) {
     for (std::size_t pair = 0; pair < now.count(); ++pair) {
         EXPECT_EQ(Jets(now, pair, at, true).re, Jets(later, pair, at, true).re);
         EXPECT_EQ(Jets(now, pair, at, true).im_t, Jets(later, pair, at, true).im_t);
-    }
-}
-
-TEST(BandSignals, ThreadsChangeNoBit) {
-    const DividedSea sea(test::wind_sea(128, 400.0));
-    ThreadPool one(1);
-    ThreadPool three(3);
-    BandSignals a(sea.modes, sea.bands);
-    BandSignals b(sea.modes, sea.bands);
-    a.move_to(99.0, one);
-    b.move_to(1.0, three);  // what was there before does not matter either
-    b.move_to(99.0, three);
-    const Places at(1000, 0.0, 400.0);
-    for (std::size_t pair = 0; pair < a.count(); ++pair) {
-        EXPECT_EQ(Jets(a, pair, at).re, Jets(b, pair, at).re);
-        EXPECT_EQ(Jets(a, pair, at).im, Jets(b, pair, at).im);
     }
 }
 

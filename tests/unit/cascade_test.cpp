@@ -5,7 +5,6 @@
 // small maps add up to the one surface.
 #include "ocean/internal/cascades.hpp"
 
-#include <cmath>
 #include <cstdint>
 
 #include "ocean/internal/cascade_map.hpp"
@@ -238,24 +237,6 @@ TEST(CascadeMap, PacksAgainOnlyWhereTheModesAreOthers) {
     EXPECT_EQ(packings, 4);
     EXPECT_THROW(CascadeMap(0, 48), Error);
     EXPECT_THROW(kept.planes(scaled, std::nan(""), {}, test::pool()), Error);
-}
-
-TEST(Cascades, BackendsAgreeOnAMapWithCascades) {
-    const Parameters parameters = cascade_sea(32, 300.0, {1, 3, 4});
-    Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
-    for (const int resolution : {64, 128, 256}) {  // the first two cut bands off
-        const Surface exact = judge.evaluate(12.0, test::kAllChannels, resolution);
-        for (const Backend& backend : {Backend::cpu, Backend::radix2}) {
-            Ocean sea(parameters, {.threads = 2, .backend = backend});
-            const Surface surface = sea.evaluate(12.0, test::kAllChannels, resolution);
-            for (const Channel channel : {Channel::height, Channel::dx, Channel::slope_y,
-                                          Channel::jacobian, Channel::vy, Channel::vz}) {
-                EXPECT_LT(test::relative_error(surface.channel(channel), exact.channel(channel)),
-                          2e-6)
-                    << backend.name << " " << resolution;
-            }
-        }
-    }
 }
 
 TEST(Cascades, SharesSayWhatRepeatsMoreOften) {

@@ -288,27 +288,6 @@ TEST(DirectionalSpectrum, GivenWindDirectionReplacesTheMeasuredMean) {
     }
 }
 
-TEST(DirectionalSpectrum, MeasuredSwellAndParametricWindSeaAdd) {
-    Parameters both = full_sea();
-    WaveSystem wind = test::wind_sea().waves.front();
-    both.waves.push_back(wind);
-    Parameters alone = both;
-    alone.waves = {wind};
-    const DirectionalSpectrum sum = make_directional_spectrum(both);
-    const DirectionalSpectrum measured = make_directional_spectrum(full_sea());
-    const DirectionalSpectrum parametric = make_directional_spectrum(alone);
-    const double m0 = measured.moments(both.water).m0 + parametric.moments(both.water).m0;
-    EXPECT_NEAR(sum.moments(both.water).m0 / m0, 1.0, 2e-5);
-    for (const double frequency : {0.055, 0.08, 0.17, 0.3}) {
-        for (const double theta : {0.4, 0.5, 2.0, -1.9}) {
-            const double omega = kTwoPi * frequency;
-            const double expected =
-                measured.density(omega, theta) + parametric.density(omega, theta);
-            EXPECT_NEAR(sum.density(omega, theta), expected, 1e-3 * expected + 1e-6);
-        }
-    }
-}
-
 TEST(DirectionalSpectrum, FullSpectrumRowWithoutEnergyIsNoWaves) {
     const Parameters parameters = with_record(full_sea(), [](SpectrumRecord& record) {
         const auto width = static_cast<std::ptrdiff_t>(record.direction.size());
@@ -320,21 +299,6 @@ TEST(DirectionalSpectrum, FullSpectrumRowWithoutEnergyIsNoWaves) {
     EXPECT_EQ(table.frequency_density(kTwoPi * frequency[3]), 0.0);
     EXPECT_GT(table.frequency_density(kTwoPi * frequency[2]), 0.0);
     EXPECT_TRUE(std::isfinite(table.moments(parameters.water).directional_spread));
-}
-
-TEST(DirectionalSpectrum, ThreadsDoNotChangeABit) {
-    Parameters both = full_sea();
-    both.waves.push_back(test::wind_sea().waves.front());
-    for (const Parameters& parameters : {test::wind_sea(), full_sea(), both}) {
-        const DirectionalSpectrum one = make_directional_spectrum(parameters);
-        const DirectionalSpectrum three = make_directional_spectrum(parameters, test::pool());
-        ASSERT_EQ(one.table().size(), three.table().size());
-        EXPECT_EQ(std::memcmp(one.table().data(), three.table().data(), one.table().size_bytes()),
-                  0);
-        for (const double omega : one.angular_frequencies()) {
-            ASSERT_EQ(one.frequency_density(omega), three.frequency_density(omega));
-        }
-    }
 }
 
 TEST(DirectionalSpectrum, FlatSeaIsZeroEverywhere) {

@@ -236,29 +236,6 @@ TEST(EnergyMarch, MapsOfATurnedCoastAreTurned) {
     }
 }
 
-TEST(EnergyMarch, ObliqueWavesRefractBySnell) {
-    // The energy that arrives on a plane beach is that of the open sea times cos(theta0) /
-    // cos(theta), as crests grow longer; far from the sides.
-    const double theta = 40.0 * kDegree;
-    const DirectionalSpectrum sea = make_sea({{.direction = theta, .spread = 3000.0}});
-    const BedGrid bed =
-        test::grid_of(151, 201, 8.0, [](double x, double) { return -42.0 + x / 30.0; });
-    const EnergyMaps maps = march(bed, sea);
-    for (const double depth : {20.0, 8.0, 4.0, 2.0}) {
-        const Dispersion here(Water{.depth = depth}), open(Water{});
-        double arrival = 0.0, before = 0.0;
-        for (const double omega : sea.angular_frequencies()) {
-            const double sine = open.wavenumber(omega) / here.wavenumber(omega) * std::sin(theta);
-            before += sea.frequency_density(omega);
-            arrival += sea.frequency_density(omega) * std::cos(theta) / std::sqrt(1 - sine * sine);
-        }
-        for (const double y : {400.0, 800.0, 1200.0}) {
-            EXPECT_NEAR(read(maps, maps.arrival, 30.0 * (42.0 - depth), y), arrival / before, 0.03)
-                << depth << " " << y;
-        }
-    }
-}
-
 TEST(EnergyMarch, MarchesThatMeetBreakLikeOne) {
     // Two narrow systems 70 degrees to either side of the normal of a beach march apart; in the
     // surf they are together as high as one of the same energy.
@@ -274,20 +251,6 @@ TEST(EnergyMarch, MarchesThatMeetBreakLikeOne) {
                     0.02)
             << depth;
     }
-}
-
-TEST(EnergyMarch, CrossingSystemsBreakTogether) {
-    // Two systems from opposite sides over one shoal: each loses more than it does alone.
-    const BedGrid bed = test::grid_of(126, 30, 8.0, [](double x, double) {
-        return -12.0 + 10.0 * std::exp(-std::pow((x - 500.0) / 120.0, 2.0));
-    });
-    const EnergyMaps both =
-        march(bed, make_sea({{.direction = 0.0, .share = 0.5}, {.direction = kPi, .share = 0.5}}));
-    const EnergyMaps alone = march(bed, make_sea({{.direction = 0.0, .share = 0.5}}));
-    const double x = 660.0, y = 120.0;
-    EXPECT_LT(read(both, both.amplitude[0], x, y), read(alone, alone.amplitude[0], x, y) - 0.02);
-    EXPECT_NEAR(read(both, both.rms_height, 500.0 - 160.0, y),
-                read(both, both.rms_height, 500.0 + 160.0, y), 0.05);
 }
 
 TEST(EnergyMarch, LandSwallowsAndBreakingIsBounded) {
@@ -529,19 +492,6 @@ TEST(EnergyMarch, PondsLagoonsAndAtollsAreStill) {
             EXPECT_GT(read(maps, maps.rms_height, x, y), 0.5 * kHeight) << of.name;
         }
     }
-}
-
-TEST(EnergyMarch, BitsAreTheSameForAnyNumberOfThreads) {
-    const BedGrid bed = test::grid_of(
-        80, 70, 8.0, [](double x, double y) { return -9.0 + x / 60.0 + 3.0 * std::sin(y / 90.0); });
-    const DirectionalSpectrum sea = make_sea({{.direction = 0.2, .spread = 3.0, .share = 0.7},
-                                              {.direction = 2.5, .spread = 8.0, .share = 0.3}});
-    const EnergyMaps one = march(bed, sea, {}, {}, 1), three = march(bed, sea, {}, {}, 3);
-    EXPECT_EQ(one.amplitude, three.amplitude);
-    EXPECT_EQ(one.rms_height, three.rms_height);
-    EXPECT_EQ(one.breaking_share, three.breaking_share);
-    EXPECT_EQ(one.arrival, three.arrival);
-    EXPECT_EQ(one.group_width, three.group_width);
 }
 
 TEST(EnergyMarch, ReportsItsProgressAndStopsWhenTold) {

@@ -172,25 +172,6 @@ TEST(Gullies, ChunksOfAnyOriginSizeAndOrderShareTheirBits) {
     }
 }
 
-TEST(Gullies, ThreadsShareAFilter) {
-    const GullyFilter filter({});
-    const Points before = random_hills(3001, 1e5, 21);
-    Points whole = before;
-    filter.apply(whole.spans(), 0.0);
-    Points shares = before;
-    test::pool().for_each_range(static_cast<int>(before.size()), [&](int first, int last) {
-        const auto from = static_cast<std::size_t>(first);
-        const auto count = static_cast<std::size_t>(last - first);
-        const GullyPoints all = shares.spans();
-        filter.apply({all.x.subspan(from, count), all.y.subspan(from, count),
-                      all.height.subspan(from, count), all.slope_x.subspan(from, count),
-                      all.slope_y.subspan(from, count), all.wear.subspan(from, count),
-                      all.gully.subspan(from, count), all.ridge.subspan(from, count)},
-                     0.0);
-    });
-    for (std::size_t p = 0; p < before.size(); ++p) ASSERT_EQ(whole.bits(p), shares.bits(p));
-}
-
 TEST(Gullies, RepeatExactlyWithThePeriod) {
     // 6100 / 1500 and its doubles are no whole numbers: 4, 8, 16, 33, 65 and 130 points.
     const GullyFilter filter({.period = 6100.0});

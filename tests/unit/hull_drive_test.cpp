@@ -4,12 +4,6 @@
 // A driven hull goes on from its track, obeys within what a track may have, and its past stays.
 #include "ocean/internal/hull_drive.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <memory>
-
 #include "hulls/track_path.hpp"
 #include "hulls/wake.hpp"
 #include "ocean/error.hpp"

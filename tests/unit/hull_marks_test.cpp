@@ -3,14 +3,7 @@
 //
 // The turbulent trail stays where the hull was and fades; the inside is the hull's water plane.
 #include "hulls/hull_marks.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <utility>
-#include <vector>
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

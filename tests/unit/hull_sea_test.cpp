@@ -2,25 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A sea with hulls is one surface: regions and queries show the open sea plus the wakes.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "hulls/hull_marks.hpp"
 #include "hulls/wake.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/hull_rules.hpp"
 #include "ocean/internal/open_sea.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/sea_bed.hpp"
+#include "refusal.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
@@ -104,32 +93,12 @@ TEST(HullSea, OnCalmWaterAQueryFindsTheWakeToItsOwnScale) {
     }
 }
 
-TEST(HullSea, ARegionIsTheOpenSeaPlusTheWake) {
-    Ocean ocean(sea_with_boat());
-    const Surface both = ocean.region(kTime, kWake, {Channel::height, Channel::dx});
-    Parameters calm = sea_with_boat();
-    calm.waves.front().wind_speed = 0.0;
-    const Surface wake = Ocean(calm).region(kTime, kWake, {Channel::height, Channel::dx});
-    Parameters away = sea_with_boat();
-    auto far = std::make_shared<HullTrack>(*away.hulls.front().track);
-    for (TrackRow& row : far->rows) row.y += 5000.0;
-    away.hulls.front().track = far;
-    const Surface open = Ocean(away).region(kTime, kWake, {Channel::height, Channel::dx});
-    double highest = 0.0;
-    for (const Channel channel : {Channel::height, Channel::dx}) {
-        for (std::size_t i = 0; i < kWake.count(); ++i) {
-            const float sum = open.channel(channel)[i] + wake.channel(channel)[i];
-            EXPECT_NEAR(both.channel(channel)[i], sum, 1e-5);
-            highest = std::max(highest, std::abs(static_cast<double>(wake.channel(channel)[i])));
-        }
-    }
-    EXPECT_GT(highest, 0.05);
-}
+class HullSeaOrder : public testing::TestWithParam<bool> {};
 
-TEST(HullSea, OfSecondOrderItIsTheMapOfTheOpenSeaPlusTheWake) {
+TEST_P(HullSeaOrder, IsTheMapOfTheOpenSeaPlusTheWake) {
     Parameters parameters = sea_with_boat();
     parameters.grid.resolution = 128;  // holds the bound waves that are shown
-    parameters.surface.second_order = true;
+    parameters.surface.second_order = GetParam();
     parameters.surface.shortest_wavelength = 8.0;
     Ocean ocean(parameters);
     const double step = 200.0 / 128;
@@ -140,34 +109,30 @@ TEST(HullSea, OfSecondOrderItIsTheMapOfTheOpenSeaPlusTheWake) {
     const Surface open = ocean.evaluate(kTime, channels, 128);
     Surface wake(there, kTime, channels);
     ocean.wake_into(0, kTime, there, outputs_of(wake));
-    Parameters linear = parameters;
-    linear.surface.second_order = false;
-    const Surface first_order = Ocean(linear).evaluate(kTime, {Channel::height}, 128);
+    parameters.surface.second_order = false;
+    const Surface first_order = Ocean(parameters).evaluate(kTime, {Channel::height}, 128);
     const double height = ocean.state().significant_wave_height.resolved;
     std::vector<WorldPoint> points;
     double bound = 0.0, highest = 0.0;
-    for (std::size_t j = 0; j < 33; ++j) {
-        for (std::size_t i = 0; i < 65; ++i) {
-            const std::size_t at = j * 65 + i, sample = j * 128 + i;
-            for (const Channel channel :
-                 {Channel::height, Channel::slope_x, Channel::slope_y, Channel::vz}) {
-                EXPECT_NEAR(both.channel(channel)[at],
-                            open.channel(channel)[sample] + wake.channel(channel)[at],
-                            3e-5 * height);
-            }
-            const auto of = [at](const Surface& map, Channel channel) {
-                return static_cast<double>(map.channel(channel)[at]);
-            };
-            highest = std::max(highest, std::abs(of(wake, Channel::height)));
-            const auto second = static_cast<double>(open.channel(Channel::height)[sample] -
-                                                    first_order.channel(Channel::height)[sample]);
-            bound = std::max(bound, std::abs(second));
-            const auto [x, y] = there.place(static_cast<int>(i), static_cast<int>(j));
-            points.push_back({x + of(both, Channel::dx), y + of(both, Channel::dy)});
+    for (const auto [i, j, at] : test::cells(65, 33)) {
+        const auto sample = static_cast<std::size_t>(j * 128 + i);
+        for (const Channel channel :
+             {Channel::dx, Channel::height, Channel::slope_x, Channel::slope_y, Channel::vz}) {
+            EXPECT_NEAR(both.channel(channel)[at],
+                        open.channel(channel)[sample] + wake.channel(channel)[at], 3e-5 * height);
         }
+        const auto of = [at = at](const Surface& map, Channel channel) {
+            return static_cast<double>(map.channel(channel)[at]);
+        };
+        highest = std::max(highest, std::abs(of(wake, Channel::height)));
+        const auto second = static_cast<double>(open.channel(Channel::height)[sample] -
+                                                first_order.channel(Channel::height)[sample]);
+        bound = std::max(bound, std::abs(second));
+        const auto [x, y] = there.place(i, j);
+        points.push_back({x + of(both, Channel::dx), y + of(both, Channel::dy)});
     }
     EXPECT_GT(highest, 0.05);
-    EXPECT_GT(bound, 0.01 * height);
+    EXPECT_EQ(bound > 0.01 * height, GetParam());
     std::vector<QuerySample> quick(points.size());
     ocean.query(kTime, points, quick, {.foam = false});
     std::vector<QuerySample> exact(8);
@@ -180,21 +145,7 @@ TEST(HullSea, OfSecondOrderItIsTheMapOfTheOpenSeaPlusTheWake) {
     }
 }
 
-TEST(HullSea, TheOpenSeaAwayFromTheBoatIsThatOfItsMap) {
-    Ocean ocean(sea_with_boat());
-    // Samples of the map of one period, 5000 m from the boat.
-    const double step = 200.0 / 64;
-    const Domain there{{5000.0, 5000.0}, {step * 63, step * 63}, {64, 64}, false};
-    const ChannelSet channels = {Channel::height, Channel::dx, Channel::slope_y};
-    const Surface region = ocean.region(kTime, there, channels);
-    const Surface map = ocean.evaluate(kTime, channels, 64);
-    const double height = ocean.state().significant_wave_height.resolved;
-    for (const Channel channel : {Channel::height, Channel::dx, Channel::slope_y}) {
-        for (std::size_t i = 0; i < map.channel(channel).size(); ++i) {
-            EXPECT_NEAR(region.channel(channel)[i], map.channel(channel)[i], 1e-5 * height);
-        }
-    }
-}
+INSTANTIATE_TEST_SUITE_P(FirstAndSecond, HullSeaOrder, testing::Bool());
 
 TEST(HullSea, MapsOfOnePeriodKeepTheirBitsAndWarn) {
     Ocean with(sea_with_boat());
@@ -202,21 +153,14 @@ TEST(HullSea, MapsOfOnePeriodKeepTheirBitsAndWarn) {
     const ChannelSet channels = {Channel::height, Channel::foam};
     const Surface a = with.evaluate(kTime, channels, 64);
     const Surface b = without.evaluate(kTime, channels, 64);
-    EXPECT_TRUE(std::ranges::equal(a.channel(Channel::height), b.channel(Channel::height)));
-    EXPECT_TRUE(std::ranges::equal(a.channel(Channel::foam), b.channel(Channel::foam)));
-    const auto is_of_wakes = [](const std::string& text) {
-        return text.find("wakes of hulls") != std::string::npos;
-    };
-    EXPECT_TRUE(std::ranges::any_of(with.state().warnings, is_of_wakes));
-    EXPECT_FALSE(std::ranges::any_of(without.state().warnings, is_of_wakes));
+    EXPECT_TRUE(test::same_bits(a, b));
+    EXPECT_TRUE(test::says(with.state().warnings, "wakes of hulls"));
+    EXPECT_FALSE(test::says(without.state().warnings, "wakes of hulls"));
 }
 
 TEST(HullSea, WavesThatTheoryOrSamplesCannotHoldAreWarnedOf) {
     const auto warns = [](const Parameters& parameters, std::string_view words) {
-        const std::vector<std::string> warnings = Ocean(parameters).state().warnings;
-        return std::ranges::any_of(warnings, [words](const std::string& text) {
-            return text.find(words) != std::string::npos;
-        });
+        return bool(test::says(Ocean(parameters).state().warnings, words));
     };
     constexpr std::string_view kSteep = "linear theory", kCoarse = "which leave most of them out";
     Parameters parameters = sea_with_boat();
@@ -276,9 +220,7 @@ TEST(HullSea, AloneAndInASequenceAreTheSameBits) {
     for (const double time : {1.0, 5.0, 2.0}) sequence.region(time, kWake, channels);
     const Surface a = sequence.region(kTime, kWake, channels);
     const Surface b = Ocean(sea_with_boat(), {.threads = 1}).region(kTime, kWake, channels);
-    for (const Channel channel : {Channel::height, Channel::vx, Channel::whitecap, Channel::foam}) {
-        EXPECT_TRUE(std::ranges::equal(a.channel(channel), b.channel(channel)));
-    }
+    EXPECT_TRUE(test::same_bits(a, b));
 }
 
 TEST(HullSea, ATakeChangesTheSeaUnderTheBoat) {
@@ -289,7 +231,7 @@ TEST(HullSea, ATakeChangesTheSeaUnderTheBoat) {
     Ocean sequence(sea);
     sequence.region(0.5, kWake, Channel::height);
     const Surface b = sequence.region(kTime, kWake, Channel::height);
-    EXPECT_TRUE(std::ranges::equal(a.channel(Channel::height), b.channel(Channel::height)));
+    EXPECT_TRUE(test::same_bits(a, b));
 }
 
 TEST(HullSea, TheWindTearsSprayOffItsBowWave) {
@@ -356,15 +298,16 @@ TEST(HullSea, AFloatRisesOnAWake) {
 }
 
 std::string refusal(const Parameters& parameters) {
-    try {
-        validate(parameters);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return test::message_of([&] { validate(parameters); });
 }
 
 TEST(HullSea, RefusesWhatItCannotHold) {
+    Ocean ocean(sea_with_boat());
+    EXPECT_FALSE(ocean.repeats());
+    const WorldPoint place{0.0, 0.0};
+    QuerySample sample;
+    EXPECT_THROW(ocean.query(0.0, {&place, 1}, {&sample, 1}, {.resolution = 32}), Error);
+    EXPECT_THROW(ocean.region(0.0, Domain::tile(100.0, 32), Channel::height), Error);
     const auto changed = [](const auto& change) {
         Parameters parameters = sea_with_boat();
         change(parameters, parameters.hulls.front());
@@ -438,16 +381,6 @@ TEST(HullSea, TheWaterBelowMovesAsItsWakesDo) {
     const double deep = std::abs(motions[16].velocity_z - open[16].velocity_z);
     EXPECT_GT(deep, 1e-4);
     EXPECT_LT(deep, 0.3 * fastest);
-}
-
-TEST(HullSea, RefusesOtherQueries) {
-    Ocean ocean(sea_with_boat());
-    const WorldPoint place{0.0, 0.0};
-    QuerySample sample;
-    EXPECT_THROW(ocean.query(0.0, {&place, 1}, {&sample, 1}, {.resolution = 32}), Error);
-    const Domain wraps = Domain::tile(100.0, 32);
-    EXPECT_THROW(ocean.region(0.0, wraps, Channel::height), Error);
-    EXPECT_FALSE(ocean.repeats());
 }
 
 }  // namespace

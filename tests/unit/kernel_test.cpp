@@ -4,7 +4,6 @@
 // The kernel of the cpu backend: its codelets, every size and instruction set against transforms in
 // double, and bits that do not depend on how a frame is requested.
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <random>

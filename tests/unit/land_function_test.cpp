@@ -6,7 +6,6 @@
 #include "ocean/land_function.hpp"
 
 #include "field/spline_grid.hpp"
-#include "flood.hpp"
 #include "land/function/base_detail.hpp"
 #include "land/function/fine_waves.hpp"
 #include "land/function/place_hash.hpp"
@@ -363,62 +362,6 @@ TEST(LandFunctions, AnswerQueriesWithTheirMaps) {
         const WorldPoint nowhere[] = {{std::nan(""), 0.0}};
         EXPECT_THROW(land.query(nowhere, samples), Error);
     }
-}
-
-TEST(Gullies, GiveTheTujungaItsSlopes) {
-    TerrainModel terrain;
-    terrain.resolution = 1024;
-    terrain.patch_size = 16384.0;
-    terrain.rms = 300.0;
-    terrain.beta = 1.67;
-    terrain.breaks = {{440.0, 2.65}};
-    terrain.outer_scale = 12000.0;
-    terrain.gullies.depth = 0.05;
-    terrain.gullies.longest = 700.0;
-    const std::array measured = {22.1, 33.4, 41.5};  // of the elevation model, cells of 30 m
-    std::array<double, 3> mean{};
-    constexpr int kSeeds = 3;
-    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        terrain.seed = seed;
-        Terrain land(terrain);
-        const Surface map =
-            land.region(square(0.0, 0.0, 546, 30.0), {Channel::slope_x, Channel::slope_y});
-        const auto x = map.channel(Channel::slope_x), y = map.channel(Channel::slope_y);
-        std::vector<double> slopes;
-        for (std::size_t i = 0; i < x.size(); ++i) slopes.push_back(std::hypot(x[i], y[i]));
-        const auto angles = test::slope_angles(slopes);
-        for (std::size_t i = 0; i < 3; ++i) mean[i] += angles[i] / kSeeds;
-    }
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(mean[i], measured[i], 3.0) << i;
-}
-
-TEST(Islands, HaveOneSeaWithBeachesOfOneInThirty) {
-    Terrain land(island(512));
-    const Domain own = land.domain();
-    const Surface map =
-        land.region(own, {Channel::height, channel_of(LandMask::shelter),
-                          channel_of(LandMask::beach), Channel::slope_x, Channel::slope_y});
-    const auto height = map.channel(Channel::height);
-    const int side = own.samples[0];
-    std::vector<float> beds;
-    for (std::size_t i = 0; i < height.size(); ++i) {
-        if (height[i] > -1.0f || height[i] < -6.0f) continue;
-        if (map.channel(channel_of(LandMask::shelter))[i] <= 0.95f) continue;
-        beds.push_back(
-            std::hypot(map.channel(Channel::slope_x)[i], map.channel(Channel::slope_y)[i]));
-    }
-    ASSERT_GT(beds.size(), 100u);
-    std::ranges::nth_element(beds, beds.begin() + static_cast<std::ptrdiff_t>(beds.size() / 2));
-    const double slope = static_cast<double>(beds[beds.size() / 2]);
-    EXPECT_GT(slope, 1.0 / 33.0);
-    EXPECT_LT(slope, 1.0 / 27.0);
-    // Every cell of water is reached from the corner.
-    std::vector<char> seen(height.size());
-    const auto sea =
-        test::piece_of(0, side, side, seen, [&](std::size_t at) { return height[at] < 0.0f; });
-    const auto wet = std::ranges::count_if(height, [](float h) { return h < 0.0f; });
-    EXPECT_EQ(sea.size(), static_cast<std::size_t>(wet));
-    EXPECT_GT(wet, static_cast<std::ptrdiff_t>(height.size() / 4));
 }
 
 /// Returns how many cells lie lower than all their eight neighbours, on land.

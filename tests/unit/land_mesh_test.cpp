@@ -104,21 +104,28 @@ double area_of(const QuadtreeSettings& settings, std::span<const LandPatch> patc
 }
 
 TEST(LandMesh, IsClosedInsideAndSeenFromAbove) {
-    QuadtreeSettings settings = small_patches();
-    for (const LandView& view : random_views(8, 2000.0)) {
-        const auto patches = select(settings, view, {});
-        const LandMesh mesh = make_land_mesh(settings, patches, view, sample_rough);
-        const Faults faults = faults_of(settings, patches, mesh);
-        EXPECT_EQ(faults.all(), 0) << faults;
-        EXPECT_NEAR(faults.area, area_of(settings, patches), 1e-6 * faults.area);
-        EXPECT_GT(mesh.triangles.size(), 5000u);
-        EXPECT_LT(mesh.triangles.size(), triangles_of(settings, patches));
-    }
-    settings.spacing = 0.3;  // no power of two
-    for (const LandView& view : random_views(3, 2e5)) {
-        const auto patches = select(settings, view, {});
-        const LandMesh mesh = make_land_mesh(settings, patches, view, sample_rough);
-        EXPECT_EQ(faults_of(settings, patches, mesh).all(), 0);
+    QuadtreeSettings no_power_of_two = small_patches();
+    no_power_of_two.spacing = 0.3;
+    // The default, and large patches at the least range that validate() takes.
+    const QuadtreeSettings large{.patch = 32, .levels = 14, .range = 62.0, .morph_start = 0.88};
+    struct Case {
+        QuadtreeSettings settings;
+        int views;
+        double width;
+    };
+    for (const auto& [settings, views, width] : {Case{small_patches(), 8, 2000.0},
+                                                 {no_power_of_two, 3, 2e5},
+                                                 {QuadtreeSettings{}, 2, 6e4},
+                                                 {large, 2, 6e4}}) {
+        for (const LandView& view : random_views(views, width)) {
+            const auto patches = select(settings, view, {});
+            const LandMesh mesh = make_land_mesh(settings, patches, view, sample_rough);
+            const Faults faults = faults_of(settings, patches, mesh);
+            EXPECT_EQ(faults.all(), 0) << faults;
+            EXPECT_NEAR(faults.area, area_of(settings, patches), 1e-6 * faults.area);
+            EXPECT_GT(mesh.triangles.size(), 5000u);
+            EXPECT_LT(mesh.triangles.size(), triangles_of(settings, patches));
+        }
     }
 }
 

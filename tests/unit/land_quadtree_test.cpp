@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The quadtree of land by numbers: how many triangles, no gap between levels, no pop in time.
+// The quadtree of land by numbers: how many triangles, no pop in time. Its meshes are closed:
+// land_mesh_test.cpp.
 #include "ocean/internal/land_quadtree.hpp"
 
 #include "field/bilinear.hpp"
@@ -163,50 +164,18 @@ TEST(LandQuadtree, DrawsAtMost300ThousandTrianglesInAnyOfTwoThousandPoses) {
     }
 }
 
-/// Returns the sum over views all round to the horizon.
-Borders borders_of(const QuadtreeSettings& selected, const QuadtreeSettings& shown,
-                   const std::vector<Pose>& poses) {
-    Borders sum;
-    for (const Pose& pose : poses) {
-        const LandView view{pose.camera.eye, pose.ground};
-        const std::vector<LandPatch> patches = select(selected, view, {});
-        const Borders borders = compare_borders(shown, view, patches, rough_height);
-        sum.compared += borders.compared;
-        sum.between_levels += borders.between_levels;
-        sum.open += borders.open;
-        sum.max_step = std::max(sum.max_step, borders.max_step);
-    }
-    return sum;
-}
-
-TEST(LandQuadtree, BordersOfAllRoundViewsHaveTheSamePointsOnBothSides) {
-    const Surface map = mountains();
-    const std::vector<Pose> poses = random_poses(HeightPyramid(map), 40);
-    for (const QuadtreeSettings& settings : {QuadtreeSettings{}, large_patches()}) {
-        const Borders borders = borders_of(settings, settings, poses);
-        EXPECT_EQ(borders.open, 0);
-        EXPECT_EQ(borders.max_step, 1);
-        EXPECT_GT(borders.between_levels, 10'000);
-    }
-}
-
-TEST(LandQuadtree, BelowTheMinRangeBordersOpenAndValidateRefuses) {
-    const Surface map = mountains();
-    const std::vector<Pose> poses = random_poses(HeightPyramid(map), 10);
-    QuadtreeSettings closed = large_patches();
-    closed.range = 62.0;
-    closed.morph_start = 0.88;
-    ASSERT_NO_THROW(validate(closed));
-    EXPECT_EQ(borders_of(closed, closed, poses).open, 0);
-    QuadtreeSettings open = closed;  // chooses the same patches: the morph has no part in that
-    open.morph_start = 0.82;
-    EXPECT_GT(borders_of(closed, open, poses).open, 0);
-    EXPECT_THROW(validate(open), Error);
-    EXPECT_THROW(select(open, {}, {}), Error);
-    open.range = min_range(open);
-    EXPECT_NO_THROW(validate(open));
-    open.range = std::nextafter(open.range, 0.0);
-    EXPECT_THROW(validate(open), Error);
+TEST(LandQuadtree, BelowTheMinRangeValidateRefuses) {
+    QuadtreeSettings settings = large_patches();
+    settings.range = 62.0;
+    settings.morph_start = 0.88;
+    ASSERT_NO_THROW(validate(settings));
+    settings.morph_start = 0.82;
+    EXPECT_THROW(validate(settings), Error);
+    EXPECT_THROW(select(settings, {}, {}), Error);
+    settings.range = min_range(settings);
+    EXPECT_NO_THROW(validate(settings));
+    settings.range = std::nextafter(settings.range, 0.0);
+    EXPECT_THROW(validate(settings), Error);
 }
 
 // ---- Time.

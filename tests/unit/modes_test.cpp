@@ -64,35 +64,6 @@ TEST(Modes, HeightsOfTwoSeasCorrelateAsTheirMapsDo) {
     EXPECT_EQ(height_correlation(sea.modes(), 0.0, Ocean(calm).modes(), 0.0), 0.0);
 }
 
-TEST(Modes, NyquistLinesAndTheMeanAreZero) {
-    const Modes modes = test::modes_of(test::wind_sea(64));
-    const auto& h0 = modes.cascades[0].h0;
-    for (std::size_t i = 0; i < 64; ++i) {
-        EXPECT_EQ(h0[32 * 64 + i], std::complex<float>(0.0f));
-        EXPECT_EQ(h0[i * 64 + 32], std::complex<float>(0.0f));
-    }
-    EXPECT_EQ(h0[0], std::complex<float>(0.0f));
-}
-
-TEST(Modes, AmplitudeIsHalfTheRootOfTheModalVariance) {
-    // E|h0|^2 = variance / 2, and both signs of k give E<h^2> = sum of the variances.
-    const Parameters parameters = test::wind_sea(64);
-    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
-    double drawn = 0.0, expected = 0.0, weight = 0.0;
-    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
-        Parameters other = parameters;
-        other.seed = seed;
-        const Modes modes = test::modes_of(other);
-        for (const auto [n, m] : test::pairs({1, 21}, {-20, 21})) {
-            const double v = modal_variance(spectrum, parameters, n, m);
-            drawn += 2.0 * std::norm(modes.cascades[0].h0[mode_index(n, m, 64)]);
-            expected += v;
-            weight += v * v;
-        }
-    }
-    EXPECT_NEAR(drawn / expected, 1.0, 4.0 * std::sqrt(weight) / expected);
-}
-
 TEST(Modes, ModalVarianceIsTheEnergyOfTheModesCellInWavenumberSpace) {
     const Parameters parameters = test::wind_sea();
     const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
@@ -156,15 +127,6 @@ TEST(Loop, RatesAreRoundedToWholeTurnsAndNeverToZero) {
         EXPECT_EQ(rate, std::round(rate));
         EXPECT_EQ(modes.cascades[0].rate_low[mode_index(n, m, 64)], 0.0f);
     }
-}
-
-TEST(Modes, ThreadsDoNotChangeABitAndSeedsGiveOtherSeas) {
-    Parameters parameters = test::wind_sea(64);
-    const auto one = test::modes_of(parameters, 1).cascades[0].h0;
-    const auto three = test::modes_of(parameters, 3).cascades[0].h0;
-    EXPECT_EQ(std::memcmp(one.data(), three.data(), one.size() * sizeof(one[0])), 0);
-    parameters.seed = 2;
-    EXPECT_NE(one[5], test::modes_of(parameters).cascades[0].h0[5]);
 }
 
 }  // namespace

@@ -4,16 +4,13 @@
 // The division of the modes: the pairs' signals and the remainder together are the open sea.
 
 #include "divided_sea.hpp"
-#include "ocean/internal/make_surface.hpp"
 #include "ocean/internal/wave_sum.hpp"
 
 namespace ocean {
 namespace {
 
 using test::DividedSea;
-using test::height_of_pairs;
 using test::Places;
-using test::rms;
 
 // Each mode is in one pair, with 2 h0, or in the remainder, with h0, and in no other.
 TEST(OpenRemainder, AndThePairsDivideTheModes) {
@@ -55,35 +52,6 @@ TEST(OpenRemainder, AndThePairsDivideTheModes) {
               static_cast<bool>(sea.modes.lattice_revision));
 }
 
-// Pairs and remainder are the open sea on the samples of its map, to 1e-6 of its height.
-TEST(OpenRemainder, AndThePairsAreTheOpenSea) {
-    for (const double depth : {std::numeric_limits<double>::infinity(), 12.0}) {
-        Parameters parameters = test::wind_sea(128, 400.0, {.depth = depth});
-        const DividedSea sea(parameters);
-        BandSignals signals(sea.modes, sea.bands);
-        const Modes remainder = open_remainder(sea.modes, sea.bands);
-        for (const double time : {12.0, 1e6}) {
-            signals.move_to(time, test::pool());
-            const Surface open = make_surface(sea.modes, parameters.surface, time, Channel::height,
-                                              Backend::cpu, test::pool());
-            const Surface rest = make_surface(remainder, parameters.surface, time, Channel::height,
-                                              Backend::cpu, test::pool());
-            Places at(0, 0.0, 1.0);
-            for (const auto [i, j] : test::pairs(128, 128)) {
-                at.x.push_back(400.0 * i / 128);
-                at.y.push_back(400.0 * j / 128);
-            }
-            std::vector<double> error = height_of_pairs(signals, at);
-            EXPECT_GT(rms(error), 0.2 * sea.height);
-            for (std::size_t i = 0; i < error.size(); ++i) {
-                error[i] += static_cast<double>(rest.channel(Channel::height)[i]) -
-                            static_cast<double>(open.channel(Channel::height)[i]);
-            }
-            EXPECT_LT(rms(error), 1e-6 * sea.height) << depth << " " << time;
-        }
-    }
-}
-
 // In double, mode by mode, they are the open sea to rounding, with or without cascades and loops.
 TEST(OpenRemainder, AndExactSumsOfPairsAreTheOpenSea) {
     for (const int cascades : {1, 2}) {
@@ -115,29 +83,6 @@ TEST(OpenRemainder, AndExactSumsOfPairsAreTheOpenSea) {
             }
         }
     }
-}
-
-// Modes of a finer cascade alone need the map of its shorter period only; the signal is the same.
-TEST(OpenRemainder, AndPairsOfCascadesAreTheOpenSea) {
-    Parameters parameters = test::wind_sea(128, 1500.0, {.cascades = 2});
-    const DividedSea sea(parameters);
-    BandSignals signals(sea.modes, sea.bands);
-    signals.move_to(33.0, test::pool());
-    const Places at(60, 0.0, 1500.0);
-    std::vector<double> error = height_of_pairs(signals, at);
-    WaveSum open(sea.modes, parameters.water);
-    WaveSum rest(open_remainder(sea.modes, sea.bands), parameters.water);
-    open.set_time(33.0);
-    rest.set_time(33.0);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        error[i] += rest.at_label(at.x[i], at.y[i]).height - open.at_label(at.x[i], at.y[i]).height;
-    }
-    EXPECT_LT(rms(error), 1e-6 * sea.height);
-    bool finer = false;
-    for (const BandLattice& band : gather_bands(sea.modes, sea.bands)) {
-        finer = finer || band.period < 1500.0;
-    }
-    EXPECT_TRUE(finer);
 }
 
 // Only what remains can make whitecaps: its covariance of gradients is that of its modes.

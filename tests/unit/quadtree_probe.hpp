@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Looks into a selection of patches: which one a point lies in, what stands along borders, and how
-// high the shown surface is.
+// Looks into a selection of patches: which one a point lies in, and how high the shown surface is.
 #pragma once
 
 #include <bit>
@@ -73,14 +72,6 @@ class PatchMap {
         return nullptr;
     }
 
-    /// Returns the patch of that size, or the larger one around it, or null.
-    const LandPatch* around(int size, std::int64_t i, std::int64_t j) const {
-        for (; size < settings_.levels; ++size, i >>= 1, j >>= 1) {
-            if (const LandPatch* patch = at(size, i, j)) return patch;
-        }
-        return nullptr;
-    }
-
   private:
     static std::uint64_t key(int size, std::int64_t i, std::int64_t j) {
         constexpr std::uint64_t kHalf = (1ull << 29) - 1;
@@ -97,57 +88,6 @@ class PatchMap {
     std::unordered_map<std::uint64_t, LandPatch> patches_;
     bool repeated_ = false;
 };
-
-/// Borders between patches, and those along which both do not show the same points, bit by bit.
-struct Borders {
-    int compared = 0;
-    int between_levels = 0;
-    int open = 0;
-    int max_step = 0;  // of levels
-};
-
-inline Borders compare_borders(const QuadtreeSettings& settings, const LandView& view,
-                               std::span<const LandPatch> patches, const PointHeight& height) {
-    const PatchMap map(settings, patches);
-    Borders borders;
-    // Writes the points along one side of a square, without repeats. The square's side is
-    // patch / 2^(level - size) quads of the level.
-    const auto points = [&](int level, int size, std::array<std::int64_t, 2> corner,
-                            std::size_t axis, std::vector<Position>& line) {
-        line.clear();
-        const int shift = level - size;
-        const std::int64_t unit = std::int64_t{1} << shift, quads = settings.patch / unit;
-        const LandIndex start{corner[0] * settings.patch, corner[1] * settings.patch};
-        if (start.i % unit != 0 || start.j % unit != 0 || quads == 0) return false;
-        for (std::int64_t n = 0; n <= quads; ++n) {
-            LandIndex v{start.i / unit, start.j / unit};
-            (axis == 0 ? v.i : v.j) += n;
-            const Position p = place_vertex(settings, view, level, v, height);
-            if (line.empty() || line.back() != p) line.push_back(p);
-        }
-        return true;
-    };
-    std::vector<Position> ours, theirs;
-    for (const LandPatch& patch : patches) {
-        const int size = patch.level - (patch.quarter ? 1 : 0);
-        for (int way = 0; way < 4; ++way) {
-            const std::size_t across = way & 1;
-            const std::int64_t step = way < 2 ? 1 : -1;
-            const LandPatch* const other = map.around(size, patch.i + (across == 0 ? step : 0),
-                                                      patch.j + (across == 1 ? step : 0));
-            if (other == nullptr) continue;
-            std::array<std::int64_t, 2> corner{patch.i, patch.j};
-            if (step > 0) corner[across] += 1;
-            const bool placed = points(patch.level, size, corner, 1 - across, ours) &&
-                                points(other->level, size, corner, 1 - across, theirs);
-            ++borders.compared;
-            borders.between_levels += other->level != patch.level ? 1 : 0;
-            borders.open += !placed || ours != theirs ? 1 : 0;
-            borders.max_step = std::max(borders.max_step, std::abs(other->level - patch.level));
-        }
-    }
-    return borders;
-}
 
 /// Returns the height of the triangle that is shown at a point, or none outside all patches.
 inline std::optional<double> shown_height(const QuadtreeSettings& settings, const LandView& view,

@@ -81,9 +81,7 @@ TEST(SeaBed, BadGridsAndHeightsAreRefusedWithNumbers) {
     GivenBed torn = beach(5, 5, 10.0);
     torn.heights[7] = std::numeric_limits<float>::quiet_NaN();
     torn.heights[9] = -2e5f;
-    const std::string holes = says(torn);
-    EXPECT_TRUE(test::says(holes, "2 of 25 heights"));
-    EXPECT_NE(holes.find("x = 20 m, y = 10 m (column 2, row 1"), std::string::npos) << holes;
+    EXPECT_TRUE(test::says(says(torn), {"2 of 25 heights", "x = 20 m, y = 10 m (column 2, row 1"}));
     torn.heights.resize(24);
     EXPECT_TRUE(test::says(says(torn), "24 heights"));
 }

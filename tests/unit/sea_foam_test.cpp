@@ -253,33 +253,6 @@ TEST(SeaFoam, HalvingItsStepChangesItByLessThanFourPercent) {
     }
 }
 
-TEST(SeaFoam, TheMeanWhitecapIsWhatTheWindMakesOnEveryGrid) {
-    constexpr int kSeeds = 24;
-    struct GridCase {
-        int resolution;
-        double patch;
-        int cascades;
-    };
-    for (const GridCase& grid : {GridCase{128, 150.0, 1}, {256, 500.0, 1}, {64, 300.0, 2}}) {
-        for (const double wind : {8.0, 12.0, 16.0, 20.0}) {
-            Parameters parameters = foamy_sea(grid.resolution, grid.patch, wind);
-            parameters.grid.cascades = grid.cascades;
-            Ocean sea(parameters, {.threads = 2});
-            test::SampleMean whitecap;
-            for (int seed = 1; seed <= kSeeds; ++seed) {
-                sea.set("seed", std::to_string(seed));
-                const Surface map = sea.evaluate(3.0, {Channel::whitecap});
-                whitecap.add(test::mean(map.channel(Channel::whitecap)));
-            }
-            const double mean = whitecap.mean(), error = whitecap.error();
-            const double asked = 3.84e-6 * std::pow(wind, 3.41);
-            EXPECT_NEAR(mean, asked, std::max(0.05 * asked, 3.0 * error))
-                << wind << " m/s on " << grid.resolution << " samples of " << grid.patch << " m";
-            EXPECT_LT(error / mean, 0.1) << "the test would see nothing";
-        }
-    }
-}
-
 TEST(SeaFoam, ACalmOrUprightSeaHasNone) {
     Parameters calm = foamy_sea(32, 100.0, 0.0);
     Parameters upright = foamy_sea(32, 100.0, 15.0);
@@ -356,17 +329,6 @@ TEST(SeaFoam, FramesOfATakeAreTheSameAloneAndInSequence) {
     sequence.evaluate(101.0, {Channel::height});
     EXPECT_EQ(sequence.stage_runs().spectrum, settled.spectrum);
     EXPECT_EQ(sequence.stage_runs().modes, settled.modes);
-}
-
-TEST(SeaFoam, FoamThatBeganEmptySettles) {
-    const Parameters parameters = foamy_sea(32, 80.0, 14.0);
-    Ocean live(parameters, {.threads = 1, .foam_start = FoamStart::empty});
-    Ocean settled(parameters, {.threads = 1});
-    EXPECT_NE(foam_of(live, 1), foam_of(settled, 1));
-    EXPECT_GT(live.foam_settling_ticks(), 0);
-    int frame = 1;
-    while (live.foam_settling_ticks() > 0 && frame < 10000) foam_of(live, ++frame);
-    EXPECT_EQ(foam_of(live, frame), foam_of(settled, frame));
 }
 
 }  // namespace

@@ -5,19 +5,10 @@
 // the skewness of theory.
 #include "ocean/internal/second_order.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <complex>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include "ocean/error.hpp"
 #include "ocean/internal/gauge_series.hpp"
 #include "ocean/internal/make_surface.hpp"
 #include "ocean/parameter_table.hpp"
+#include "refusal.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
@@ -395,12 +386,7 @@ TEST(SecondOrder, IsRefusedWhereItIsNotKnown) {
     const auto says = [](const auto& change) {
         Parameters parameters = second_order_sea(64);
         change(parameters);
-        try {
-            validate(parameters);
-        } catch (const Error& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return test::message_of([&] { validate(parameters); });
     };
     EXPECT_EQ(says([](Parameters&) {}), "");
     EXPECT_EQ(says([](Parameters& p) { p.water.depth = 30.0; }),

@@ -26,37 +26,6 @@ Domain square(double x, double y, int samples, double cell) {
     return {{x, y}, {(samples - 1) * cell, (samples - 1) * cell}, {samples, samples}, false};
 }
 
-constexpr ChannelSet kPosition = {Channel::dx, Channel::dy, Channel::height};
-
-class Deep : public testing::TestWithParam<double> {};
-
-TEST_P(Deep, SeaOverABedAsDeepAsItselfIsTheOpenSea) {
-    const double depth = GetParam();
-    const double bed = std::isfinite(depth) ? -depth : -300.0;
-    const Parameters open = test::coast_sea(256, 1024.0, depth);
-    Ocean sea(open);
-    Ocean coast(test::over(open, test::bed_of(129, 129, 4.0, [&](double, double) { return bed; })));
-    const double height = sea.state().significant_wave_height.resolved;
-    const Surface whole = sea.evaluate(7.0, kPosition, 256);
-    const Surface region = coast.region(7.0, square(0.0, 0.0, 128, 4.0), kPosition);
-    for (const Channel channel : {Channel::height, Channel::dx, Channel::dy}) {
-        double most = 0.0;
-        for (int j = 0; j < 128; ++j) {
-            for (int i = 0; i < 128; ++i) {
-                const auto at = [&](const Surface& map) {
-                    return static_cast<double>(
-                        map.channel(channel)[static_cast<std::size_t>(j * map.resolution() + i)]);
-                };
-                most = std::max(most, std::abs(at(whole) - at(region)));
-            }
-        }
-        EXPECT_LE(most, 1e-6 * height) << "channel " << static_cast<int>(channel);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Depths, Deep,
-                         testing::Values(20.0, 60.0, std::numeric_limits<double>::infinity()));
-
 TEST(ShoreSurface, RegionsHaveTheSameBitsForAnyNumberOfThreads) {
     const Domain domain = square(600.0, 200.0, 32, 6.0);
     const ChannelSet channels = {Channel::height, Channel::nx, Channel::vz, Channel::foam};

@@ -31,40 +31,6 @@ Parameters on_beach(const Parameters& parameters, double run, int rows) {
 
 // ---- the shape of waves
 
-TEST(ShoreTruth, GaugesReadRuessinksSkewnessAndAsymmetry) {
-    // Eight minutes at six places of each depth.
-    constexpr double kRun = 40.0;
-    constexpr std::array kDepths = {6.0, 3.0, 2.0, 1.5};
-    constexpr std::size_t kPlaces = 6, kSamples = 512;
-    std::array<std::vector<std::vector<double>>, kDepths.size()> records;
-    Ocean ocean(on_beach(test::coast_sea(64, 512.0, 20.0), kRun, 160));
-    const double peak = kTwoPi / ocean.state().peak_period.resolved;
-    std::vector<WorldPoint> points;
-    for (const double depth : kDepths) {
-        for (std::size_t n = 0; n < kPlaces; ++n) {
-            points.push_back({(20.0 - depth) * kRun, 70.0 + 85.0 * static_cast<double>(n)});
-        }
-    }
-    for (auto& depth : records) depth.resize(kPlaces);
-    std::vector<QuerySample> samples(points.size());
-    for (std::size_t i = 0; i < kSamples; ++i) {
-        ocean.query(0.9 * static_cast<double>(i), points, samples, {.foam = false});
-        for (std::size_t n = 0; n < points.size(); ++n) {
-            records[n / kPlaces][n % kPlaces].push_back(samples[n].height);
-        }
-    }
-    for (std::size_t i = 0; i < kDepths.size(); ++i) {
-        const double depth = kDepths[i];
-        const Moments found = moments_of(records[i]);
-        const double k = wavenumber(peak, depth);
-        // The amplitude of the significant height, Hs / 2.
-        const double ursell = ursell_number(2.0 * std::sqrt(found.variance), k, depth);
-        const double b = nonlinearity(ursell), psi = biphase(ursell);
-        EXPECT_NEAR(found.skewness, b * std::cos(psi), 0.17) << depth;
-        EXPECT_NEAR(found.asymmetry, b * std::sin(psi), 0.17) << depth;
-    }
-}
-
 // ---- breakers
 
 /// Maps of one channel through time, [time][j][i].

@@ -380,19 +380,6 @@ Coast small_island() {
     });
 }
 
-TEST(CoastProfile, ThreadsDoNotChangeABit) {
-    Coast coast = small_island();
-    ThreadPool one(1);
-    coast.shape(one);
-    for (const int threads : {2, 5}) {
-        ThreadPool pool(threads);
-        Coast again = small_island();
-        again.after = again.before;
-        again.maps = shape_shoreline(again.after, again.domain, {}, pool, [](double) {});
-        EXPECT_TRUE(again.is_same(coast)) << threads;
-    }
-}
-
 TEST(CoastProfile, ATransposedLandHasATransposedCoast) {
     Coast coast = small_island(), turned = coast;
     std::swap(turned.domain.samples[0], turned.domain.samples[1]);

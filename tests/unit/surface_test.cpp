@@ -68,27 +68,6 @@ INSTANTIATE_TEST_SUITE_P(AllQuadrants, OneWave,
                                          std::pair(-4, -5), std::pair(4, -5), std::pair(15, 15),
                                          std::pair(-15, 1)));
 
-TEST(Surface, WavesTravelWhereTheWindGoes) {
-    for (double degrees = -135.0; degrees <= 180.0; degrees += 45.0) {
-        Parameters parameters = test::wind_sea(64, 400.0, {.direction = degrees});
-        Ocean sea(parameters, {.threads = 1});
-        const auto waves = [&](double time) {
-            return test::coefficients(sea.evaluate(time, {Channel::height}), Channel::height);
-        };
-        const auto before = waves(10.0), after = waves(10.05);
-        // exp(i (k x - omega t)): the coefficient of a wave along +k turns backwards.
-        std::complex<double> direction = 0.0;
-        for (const auto [n, m] : test::pairs({-31, 32}, {-31, 32})) {
-            if (n == 0 && m == 0) continue;
-            const std::size_t at = mode_index(n, m, 64);
-            const double turning = (after[at] * std::conj(before[at])).imag();
-            direction -= turning * std::complex<double>(n, m) / std::hypot(n, m);
-        }
-        const double got = std::arg(direction) * 180.0 / kPi;
-        EXPECT_NEAR(std::remainder(got - degrees, 360.0), 0.0, 15.0) << degrees;
-    }
-}
-
 TEST(Surface, BackendsAgreeWithTheDirectSumNowAndAfterElevenDays) {
     Parameters parameters = test::wind_sea(128, 400.0, {.depth = 25.0});
     Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
@@ -226,18 +205,6 @@ TEST(Surface, VelocityIsTheTimeDerivativeOfTheDisplacedPoint) {
             EXPECT_NEAR(now.channel(velocity)[i], slope, 2e-3);
         }
     }
-}
-
-TEST(Surface, ALoopingSeaMovesAtItsRoundedSpeed) {
-    Parameters parameters = test::wind_sea(32, 64.0, {.loop = 20.0});
-    const Modes modes = test::single_wave(parameters, 2, 0);
-    const double k = kTwoPi / 64.0 * 2.0;
-    const double omega =
-        kTwoPi / 20.0 * turns_per_loop(Dispersion(parameters.water).angular_frequency(k), 20.0);
-    const Surface s =
-        make_surface(modes, parameters.surface, 3.0, kAllChannels, Backend::cpu, test::pool());
-    EXPECT_NEAR(sample(s, Channel::height, 5, 0), std::cos(k * 10.0 - omega * 3.0), 2e-6);
-    EXPECT_NEAR(sample(s, Channel::vz, 5, 0), omega * std::sin(k * 10.0 - omega * 3.0), 3e-6);
 }
 
 TEST(Surface, ThreadsAndOtherChannelsDoNotChangeABit) {

@@ -243,15 +243,6 @@ TEST(Take, HeightAndPeriodOfAWindSeaDoNotStillItsWind) {
     EXPECT_EQ(whitecap_wind(sea, 30.0), 14.0);
 }
 
-TEST(Take, AWindThatWasUnsetMovesTheHeightThatAnEventFinds) {
-    // Wind and height are unset: the height glides from the one that the wind makes at that moment.
-    const Sea sea =
-        unset_sea({event(1.0, "wind_speed", 20.0), event(30.0, "significant_wave_height", 1.0)});
-    const double before = height_of(sea.at(29.9));
-    EXPECT_GT(before, 1.5 * height_of(sea.at(0.0)));
-    EXPECT_NEAR(height_at(sea, 30.0), before, 1e-6 * before);
-}
-
 std::shared_ptr<const SpectrumRecord> buoy_record() {
     SpectrumRecord record;
     record.frequency = {0.08, 0.1, 0.12, 0.2};

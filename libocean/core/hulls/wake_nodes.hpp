@@ -17,7 +17,7 @@
 //
 // The integral is exact for a straight run of constant speed with W linear between its nodes. Nodes
 // lie on an absolute clock, so that they do not depend on t; straight stretches merge into dyadic
-// blocks, and equal blocks into runs. Test: Wake.EnergyGainedPerMetreIsMichells.
+// blocks, and equal blocks into runs. Test: the rows hulls.michell_* of `ocean verify`.
 //
 // W of a frame lies between those of two times of the same clock, in proportion: the sums over the
 // past before the first of them serve all frames between them, and only what follows is added anew.
