@@ -3,11 +3,8 @@
 //
 // A frame allocates nothing. This program has the C library's allocation functions pass through
 // counters, operator new among them, so that whatever a frame asks for is seen.
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <cstddef>
-#include <vector>
 
 #include "ocean/internal/cascade_map.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
@@ -15,6 +12,7 @@
 #include "ocean/internal/map_request.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
+#include "testing.hpp"
 #include "waves/kernel/map_kernel.hpp"
 #include "waves/surface/map_writer.hpp"
 

@@ -5,10 +5,6 @@
 // wrong says where.
 #include "ocean/internal/bridge/control_map.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
 #include <tuple>
 
 #include "mistakes.hpp"

@@ -3,8 +3,6 @@
 //
 // The boards of a control map: each driver has its own keys, and a key of another driver is a
 // mistake.
-#include <gtest/gtest.h>
-
 #include "mistakes.hpp"
 #include "ocean/internal/bridge/control_map_file.hpp"
 #include "ocean/internal/bridge/devices.hpp"

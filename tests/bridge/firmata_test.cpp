@@ -4,14 +4,11 @@
 // Firmata: bytes of its protocol 2.5 both ways, wherever they are cut; a board at a pseudo-terminal
 // that resets, goes and comes back.
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 
-#include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <thread>
 
@@ -19,6 +16,7 @@
 #include "listening.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bridge/firmata_source.hpp"
+#include "testing.hpp"
 
 namespace ocean::bridge {
 namespace {

@@ -5,11 +5,6 @@
 // with a sea file, and a map may change at run time.
 #include "ocean/internal/bridge/hub.hpp"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-
 #include "listening.hpp"
 #include "mistakes.hpp"
 #include "ocean/internal/bridge/endpoint.hpp"

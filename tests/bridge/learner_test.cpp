@@ -5,8 +5,6 @@
 // printed is one.
 #include "ocean/internal/bridge/learner.hpp"
 
-#include <gtest/gtest.h>
-
 #include "midi_messages.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/bridge/control_map_file.hpp"

@@ -5,11 +5,8 @@
 // neither.
 #include "ocean/internal/bridge/line_client.hpp"
 
-#include <gtest/gtest.h>
-
-#include <optional>
-
 #include "helpers.hpp"
+#include "testing.hpp"
 
 namespace ocean::bridge::test {
 namespace {

@@ -5,12 +5,6 @@
 // or one refusal; and the page of the protocol has the commands that the program has.
 #include "ocean/internal/bridge/line_protocol.hpp"
 
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
-#include <utility>
-
 #include "seafile/corpus.hpp"
 
 namespace ocean::bridge {

@@ -3,10 +3,7 @@
 //
 // MIDI: bytes of the MIDI 1.0 specification into reports, wherever they are cut; a controller that
 // comes and goes on ports that the test stands in for, and on those of ALSA where there is one.
-#include <gtest/gtest.h>
-
 #include <atomic>
-#include <cmath>
 #include <thread>
 
 #include "listening.hpp"

@@ -4,11 +4,6 @@
 // Tests that are steps in a file of the folder `scripts`, with what each step gives behind "->".
 #pragma once
 
-#include <optional>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "seafile/corpus.hpp"
 
 namespace ocean::bridge::test {

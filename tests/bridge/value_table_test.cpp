@@ -5,11 +5,7 @@
 // refused changed, and no file named from outside.
 #include "ocean/internal/bridge/value_table.hpp"
 
-#include <gtest/gtest.h>
-
 #include <bit>
-#include <cmath>
-#include <random>
 
 #include "ocean/internal/text.hpp"
 #include "refusal.hpp"

@@ -5,12 +5,8 @@
 // terrains have, by the templates alone: what toy_handle.cpp does not write works and refuses.
 #include "toy_handle.hpp"
 
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <memory>
-
 #include "temporary_folder.hpp"
+#include "testing.hpp"
 
 namespace {
 

@@ -7,8 +7,6 @@
 // options of `ocean` itself.
 #include "command_line.hpp"
 
-#include <gtest/gtest.h>
-
 #include <new>
 
 #include "console.hpp"

@@ -6,18 +6,9 @@
 // commands, files and steps that prepare them; the key of a row ends the command line, takes the
 // place of {} in it, or is the content of the group's `file`, or of {} in its `text`.
 // test_refusals.py runs the first row of each group end to end.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "ocean_program.hpp"
 #include "seafile/corpus.hpp"

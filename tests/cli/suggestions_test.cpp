@@ -5,12 +5,6 @@
 // products, presets, words of the wire) every typo of one letter suggests the name, and nothing is
 // suggested that is more than two edits away. The tables of the folders `refusals`
 // and `mistakes` have the places that suggest.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "commands.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/bake/catalogue.hpp"
@@ -22,6 +16,7 @@
 #if __has_include("ocean/internal/bridge/line_protocol.hpp")
 #include "ocean/internal/bridge/line_protocol.hpp"
 #include "ocean/internal/bridge/value_table.hpp"
+#include "testing.hpp"
 #endif
 
 namespace ocean::app {

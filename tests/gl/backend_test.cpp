@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The backend `gl` in an Ocean: foam, hosts' buffers and contexts, and the state it leaves behind.
-#include <gtest/gtest.h>
-
 #include <epoxy/gl.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "gl/leftovers.hpp"

@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A coast by the backend `gl`: its surface is that of the processor.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "ocean/gl/backend.hpp"
 #include "ocean/land_mask.hpp"
 #include "ocean/ocean.hpp"
 #include "preview/beach_sea.hpp"
+#include "testing.hpp"
 
 namespace ocean {
 namespace {

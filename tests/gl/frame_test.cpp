@@ -3,9 +3,6 @@
 //
 // Frames of the GPU against the same frames in double: every size, one cascade and several, early
 // and late.
-#include <gtest/gtest.h>
-
-#include <cstring>
 #include <tuple>
 
 #include "ocean/error.hpp"

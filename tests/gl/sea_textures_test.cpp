@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A sea as textures: against the maps of the CPU, from mipmap to mipmap, foam tick by tick.
-#include <gtest/gtest.h>
-
 #include <epoxy/gl.h>
 
 #include "ocean/internal/gl/context.hpp"

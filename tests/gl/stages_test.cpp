@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Stages of the transform one after another: in one context, each as if it were the first.
-#include <gtest/gtest.h>
-
 #include <epoxy/egl.h>
 
 #include "ocean/error.hpp"

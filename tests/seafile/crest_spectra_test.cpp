@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Crests in seas of measured spectra: at their place and time, as the highest points near.
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "../unit/crest_probe.hpp"
 #include "ocean/internal/directional_spectrum.hpp"
 #include "ocean/internal/modes.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/thread_pool.hpp"
 #include "paths.hpp"
+#include "testing.hpp"
 
 namespace ocean::test {
 namespace {

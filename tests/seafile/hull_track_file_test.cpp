@@ -3,12 +3,6 @@
 //
 // Tracks of hulls: what a CSV file and the rows of a sea file mean, and that a saved sea carries
 // them.
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <string>
-#include <vector>
-
 #include "helpers.hpp"
 #include "ocean/internal/hull_rules.hpp"
 #include "temporary_folder.hpp"
