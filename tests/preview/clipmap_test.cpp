@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "clipmap.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "testing.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean::preview {

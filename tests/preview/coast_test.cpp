@@ -3,10 +3,6 @@
 //
 // A coast in a picture: the drawn water has the heights of the library's region, its windows stand
 // still in the world, and land and water leave no gap.
-#include <algorithm>
-#include <cmath>
-#include <string_view>
-
 #include "bed_ground.hpp"
 #include "coast_windows.hpp"
 #include "ocean/internal/preview/probe.hpp"
@@ -41,23 +37,7 @@ TEST_F(CoastPreviewTest, VerticesAtSamplesOfAWindowHaveTheHeightsOfTheRegion) {
     const DrawnSea& sea = shown();
     // Labels of the finest window within the finest level of the mesh.
     const Domain labels{{220.0, 92.0}, {8.0, 8.0}, {9, 9}, false};
-    const Surface region = sea_.region(kTime, labels, {Channel::dx, Channel::dy, Channel::height});
-    double highest = 0.0;
-    for (const int n : {0, 8, 20, 40, 50, 72, 80}) {
-        const auto [x, y] = labels.place(n % 9, n / 9);
-        const auto at = [&](Channel channel) {
-            return static_cast<double>(region.channel(channel)[static_cast<std::size_t>(n)]);
-        };
-        const auto found =
-            probe(renderer_, sea, camera(), {x + at(Channel::dx), y + at(Channel::dy)});
-        ASSERT_TRUE(found) << x << " " << y;
-        // The quantum is that of a vertex in a picture: 1/256 of a pixel of 5 mm.
-        EXPECT_NEAR(found->mesh_height, at(Channel::height),
-                    1e-5 * sea.significant_wave_height + 2e-5)
-            << x << " " << y;
-        highest = std::max(highest, std::abs(at(Channel::height)));
-    }
-    EXPECT_GT(highest, 0.05);
+    EXPECT_GT(expect_heights_of_the_region(sea_, kTime, labels, renderer_, sea, camera()), 0.05);
 }
 
 TEST_F(CoastPreviewTest, WaterEndsWhereTheRegionIsDry) {

@@ -6,8 +6,6 @@
 // m to 10 km; neither knows of the other.
 #include "drawable.hpp"
 
-#include <cmath>
-
 #include "preview_fixture.hpp"
 #include "projection.hpp"
 #include "shader_text.hpp"

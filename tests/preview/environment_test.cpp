@@ -5,13 +5,6 @@
 // stood, and water mirrors what is above it.
 #include "ocean/internal/preview/environment.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <random>
-
 #include "gl/leftovers.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/water_types.hpp"

@@ -5,16 +5,12 @@
 // path, a failed one says so, and none outlives its window.
 #include "window/file_dialog.hpp"
 
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "ocean/error.hpp"

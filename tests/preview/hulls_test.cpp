@@ -3,10 +3,6 @@
 //
 // The wakes of hulls in a picture: the drawn water has the heights of the library's region, trails
 // are its foam, and where no wake is the open sea is drawn as ever.
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
 #include "coast_windows.hpp"
 #include "ocean/internal/preview/probe.hpp"
 #include "ocean/land_mask.hpp"
@@ -45,20 +41,7 @@ class HullPreviewTest : public PreviewTest {
 TEST_F(HullPreviewTest, VerticesAtSamplesOfAWindowHaveTheHeightsOfTheRegion) {
     const DrawnSea sea = maps_.show(sea_, kBoatTime, kBoatEye);
     const Domain labels{{-4.0, 16.0}, {8.0, 8.0}, {9, 9}, false};
-    const Surface region =
-        sea_.region(kBoatTime, labels, {Channel::dx, Channel::dy, Channel::height});
-    for (const int n : {0, 8, 20, 40, 50, 72, 80}) {
-        const auto [x, y] = labels.place(n % 9, n / 9);
-        const auto at = [&](Channel channel) {
-            return static_cast<double>(region.channel(channel)[static_cast<std::size_t>(n)]);
-        };
-        const auto found =
-            probe(renderer_, sea, camera(), {x + at(Channel::dx), y + at(Channel::dy)});
-        ASSERT_TRUE(found) << x << " " << y;
-        EXPECT_NEAR(found->mesh_height, at(Channel::height),
-                    1e-5 * sea.significant_wave_height + 2e-5)
-            << x << " " << y;
-    }
+    expect_heights_of_the_region(sea_, kBoatTime, labels, renderer_, sea, camera());
     Surface wake(labels, kBoatTime, Channel::height);
     sea_.wake_into(0, kBoatTime, labels, outputs_of(wake));
     EXPECT_GT(std::ranges::max(wake.channel(Channel::height)), 0.05f);

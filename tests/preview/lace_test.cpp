@@ -3,12 +3,6 @@
 //
 // The pattern of the foam as it is drawn: as much of the water is white as the cover says, from any
 // distance, and a label keeps its foam.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "foam_variance.hpp"
 #include "lace_maps.hpp"
 #include "ocean/thread_pool.hpp"

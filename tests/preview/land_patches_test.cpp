@@ -5,15 +5,12 @@
 // function; they meet bit by bit; a live picture without its patches is coarser and has no holes;
 // textures and triangles stay within their bounds; land that exists once ends at its edge, in water
 // if it has a coast.
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <map>
 #include <thread>
 
 #include "height_ranges.hpp"
 #include "land_vertices.hpp"
 #include "ocean/internal/land_mesh.hpp"
+#include "ocean/internal/land_quadtree.hpp"
 #include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/ocean.hpp"
 #include "preview_fixture.hpp"
@@ -55,6 +52,40 @@ HeightSampler sampler_of(const LandFunction& function, ThreadPool& pool) {
             heights[i] = static_cast<float>(samples[i].height);
         }
     };
+}
+
+/// Expects each vertex where land_vertex() shows it, also where it snaps to another one.
+void expect_labels(const std::vector<GpuVertex>& vertices, const QuadtreeSettings& settings,
+                   const LandView& view) {
+    int partial = 0, diagonal = 0, straight = 0;
+    for (const GpuVertex& vertex : vertices) {
+        const auto level = static_cast<int>(vertex.index[2]);
+        const double spacing = settings.spacing_of(level);
+        const auto index = [&](std::size_t axis) {
+            const double snapped = std::floor(view.eye[axis] / settings.spacing);
+            return (static_cast<std::int64_t>(snapped) +
+                    static_cast<std::int64_t>(vertex.index[axis])) >>
+                   level;
+        };
+        const LandIndex at{index(0), index(1)};
+        // Rounding decides if a vertex at this very distance snaps.
+        const double distance = plane_distance(view, land_label(settings, level, at));
+        if (std::abs(distance / spacing - (settings.range - 0.25)) < 1e-3) continue;
+        const LandVertex expected = land_vertex(settings, view, level, at);
+        const double rounding = 1e-5 * (spacing + distance);
+        const double x = expected.shown.x - view.eye[0], y = expected.shown.y - view.eye[1];
+        ASSERT_NEAR(static_cast<double>(vertex.label[0]), x, rounding) << level << " " << at.i;
+        ASSERT_NEAR(static_cast<double>(vertex.label[1]), y, rounding) << level << " " << at.j;
+        ASSERT_NEAR(static_cast<double>(vertex.place[2]), expected.share, 1e-4);
+        partial += expected.share > 0.45 && expected.share < 0.55 ? 1 : 0;
+        const bool odd_i = (at.i & 1) != 0, odd_j = (at.j & 1) != 0;
+        if (!snaps_at(settings, level, distance)) continue;
+        diagonal += odd_i && odd_j ? 1 : 0;
+        straight += odd_i != odd_j ? 1 : 0;
+    }
+    EXPECT_GT(partial, 1000);
+    EXPECT_GT(diagonal, 100);
+    EXPECT_GT(straight, 100);
 }
 
 TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheField) {
@@ -110,6 +141,7 @@ TEST_F(LandPatchesTest, ShownVerticesAreThoseOfTheQuadtreeWithTheHeightsOfTheFie
         }
         EXPECT_LT(worst, 1e-5 * *terrain.rms);
         EXPECT_GT(compared, vertices.size() / 2);
+        expect_labels(vertices, settings, view);
         if (domain.wraps) continue;
         for (const GpuVertex& v : vertices) {
             for (std::size_t axis = 0; axis < 2; ++axis) {

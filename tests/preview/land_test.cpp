@@ -4,8 +4,6 @@
 // Claims: the drawn land is the terrain's own map, sample by sample and between the samples; its
 // tiles meet without a seam; its mesh has no holes; shadows fall on the side away from the sun; and
 // views that only a sea has are refused.
-#include <cmath>
-
 #include "ocean/error.hpp"
 #include "ocean/internal/preview/land_maps.hpp"
 #include "ocean/internal/preview/probe.hpp"

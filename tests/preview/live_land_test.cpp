@@ -3,12 +3,6 @@
 //
 // Claims: a slider redoes only the stages that its parameter dirties; a window goes from a sea to a
 // terrain and back; the camera is never in the ground; stages are shown as they are.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <numeric>
-
 #include "ocean-preview/land_camera.hpp"
 #include "ocean-preview/live_scene.hpp"
 #include "ocean-preview/stage_picture.hpp"

@@ -4,10 +4,6 @@
 // Claims: a subject of a host, a tilted plane, is opened, shown in a picture, probed, walked on,
 // changed, undone and saved as a sea is, although the program has no code for it but its row.
 #include <epoxy/gl.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <fstream>
 
 #include "console.hpp"
 #include "interrupt.hpp"
@@ -17,8 +13,8 @@
 #include "ocean-preview/scene_argument.hpp"
 #include "ocean-preview/window/camera_control.hpp"
 #include "ocean-preview/window/session_files.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/text.hpp"
+#include "refusal.hpp"
 #include "temporary_folder.hpp"
 #include "unit/test_seas.hpp"
 
@@ -110,12 +106,9 @@ class PlaneSceneTest : public ::testing::Test {
 
     std::string refusal(const PreviewWords& words, std::vector<GivenOption> given = {}) const {
         EnvironmentFiles environments;
-        try {
+        return test::message_of([&] {
             require_fit(preview_options(words, given, environments), open_scene({file_, {}}));
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        });
     }
 
     const test::TemporaryFolder folder_;

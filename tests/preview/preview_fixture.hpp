@@ -4,14 +4,9 @@
 // A context with a sea in it.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "ocean/internal/gl/context.hpp"
 #include "ocean/internal/preview/canvas.hpp"
+#include "ocean/internal/preview/probe.hpp"
 #include "ocean/internal/preview/renderer.hpp"
 #include "ocean/internal/preview/sea_maps.hpp"
 #include "unit/test_seas.hpp"
@@ -73,6 +68,33 @@ class PreviewTest : public ::testing::Test {
         const auto values = numbers(renderer, sea, above, 64);
         for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
         return 4.0 * std::sqrt(squares / (64.0 * 64.0));
+    }
+
+    /// Expects the drawn heights of the region at some of its labels; returns the largest of them.
+    static double expect_heights_of_the_region(Ocean& ocean, double time, const Domain& labels,
+                                               Renderer& renderer, const DrawnSea& sea,
+                                               const Camera& camera) {
+        const Surface region =
+            ocean.region(time, labels, {Channel::dx, Channel::dy, Channel::height});
+        const int columns = labels.samples[0];
+        double highest = 0.0;
+        for (std::size_t n = 0; n < labels.count(); n += 10) {
+            const auto [x, y] =
+                labels.place(static_cast<int>(n) % columns, static_cast<int>(n) / columns);
+            const auto at = [&](Channel channel) {
+                return static_cast<double>(region.channel(channel)[n]);
+            };
+            const auto found =
+                probe(renderer, sea, camera, {x + at(Channel::dx), y + at(Channel::dy)});
+            EXPECT_TRUE(found) << x << " " << y;
+            if (!found) continue;
+            // The quantum is that of a vertex in a picture: 1/256 of a pixel of 5 mm.
+            EXPECT_NEAR(found->mesh_height, at(Channel::height),
+                        1e-5 * sea.significant_wave_height + 2e-5)
+                << x << " " << y;
+            highest = std::max(highest, std::abs(at(Channel::height)));
+        }
+        return highest;
     }
 
     /// Returns the light of each pixel, row after row, the bottom row first: R, G, B, 1.

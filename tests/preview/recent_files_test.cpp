@@ -5,15 +5,11 @@
 // so is a list that cannot be read.
 #include "window/recent_files.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "ocean/error.hpp"
 #include "temporary_folder.hpp"
+#include "testing.hpp"
 
 namespace ocean::app {
 namespace {

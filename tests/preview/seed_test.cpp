@@ -3,9 +3,6 @@
 //
 // Claims: the look `seed` is ten by ten equal periods around the origin and nothing else, in a fog
 // that is full at 500 m.
-#include <algorithm>
-#include <cmath>
-
 #include "frame_block.hpp"
 #include "preview_fixture.hpp"
 

@@ -4,10 +4,7 @@
 // Claims: a stage fills the picture with squares of whole pixels, a plane stands beside its
 // energetic middle, and a plane that is too large shows the brightest pixel of each square.
 #include "stage_picture.hpp"
-
-#include <gtest/gtest.h>
-
-#include <array>
+#include "testing.hpp"
 
 namespace ocean::app {
 namespace {
