@@ -102,40 +102,7 @@ def open_sea(path: Path):
     return libocean.parse(strings["ocean:sea"]), float(strings["ocean:time"])
 
 
-def crossings(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Where the level set goes through 0 in the columns inside the box: places, and heights."""
-    grid = OPENVDB.read(str(path), "surface")
-    voxel = grid.transform.voxelSize()[0]
-    values, low = dense(grid)
-    inner = (values < 0)[6:-6, 6:-6]
-    i, j = (axis.ravel() for axis in np.mgrid[6 : 6 + inner.shape[0], 6 : 6 + inner.shape[1]])
-    inner = inner.reshape(len(i), -1)
-    top = inner.shape[1] - 1 - inner[:, ::-1].argmax(axis=1)
-    below, above = values[i, j, top], values[i, j, top + 1]
-    height = voxel * (low[2] + top + below / (below - above))
-    return np.stack([i + low[0], j + low[1]], -1) * voxel, height
-
-
 # The grids ----------------------------------------------------------------------
-
-
-@needs_openvdb
-@pytest.mark.parametrize("name", SEAS)
-def test_the_surface_is_where_the_sea_is(sea, way, name, tmp_path):
-    for key, value in SEAS[name].items():
-        setattr(sea.libocean, key, value)
-    write(frame_start=3, frame_end=3)
-    path = tmp_path / "ocean_volumes" / "shot.Ocean_0003.vdb"
-    points, height = crossings(path)
-    assert len(points) > 3000
-    some = np.random.default_rng(1).choice(len(points), 300, replace=False)
-    opened, time = open_sea(path)
-    with opened as asked:
-        there = asked.samples(points[some], time, exact=True).height
-    assert time == pytest.approx(2 / 24)
-    assert there.std() > 0.02
-    voxel = sea.libocean.patch_size / 64
-    assert abs(height[some] - there).max() < 0.05 * voxel
 
 
 def test_frames_that_are_keyed_or_at_their_own_time(scene, sea, way, tmp_path):

@@ -3,9 +3,6 @@
 """What users give a coast: a bad file of a bed is one sentence with its number, and what is odd but
 possible is computed, with a warning where it matters. Other refusals are in refusals/coast.toml."""
 
-import csv
-import io
-
 import numpy as np
 import pytest
 from coasts import BEACH, REGION, SEA, grid, image
@@ -170,23 +167,3 @@ def test_over_deep_ground_every_sea_is_the_open_one(coast, edit, samples):
     found = displacement(coast, "deep.toml", "--region", f"0,0,{side},{side}", "--cell", cell)
     assert found.shape == expected.shape
     assert np.abs(found - expected).max() < 2e-6 * 4.0 * expected[..., 2].std()
-
-
-def test_a_loop_over_a_bed_closes_with_its_traces(coast):
-    bake = ("bake", "sea.toml", "--set", "time.loop_period=4", *REGION, "-q")
-    products = ("--products", "height,foam,wetness", "--frames", "1,97")
-    coast.good(*bake, "-o", "s.####.exr", *products)
-    for product in ("height", "foam", "wetness"):
-        first, last = (image(coast.folder / f"s.{product}.{n}.exr") for n in ("0001", "0097"))
-        assert (first == last).all(), product
-        assert first.std() > 0.01
-
-
-def test_queries_agree_with_the_region_whatever_the_choppiness(coast):
-    offsets = displacement(coast, "sea.toml", *REGION, "--set", "choppiness=2")
-    labels = np.stack(np.meshgrid(40 + 4.0 * np.arange(31), 20 + 4.0 * np.arange(16)), -1)
-    places = (labels + offsets[..., :2]).reshape(-1, 2)
-    coast.write("points.csv", "x,y\n" + "".join(f"{x:.7f},{y:.7f}\n" for x, y in places))
-    answer = coast.good("query sea.toml --frame 5 --points points.csv --no-foam --set choppiness=2")
-    heights = np.array([float(row["height"]) for row in csv.DictReader(io.StringIO(answer))])
-    assert np.abs(heights - offsets[..., 2].ravel()).max() < 1e-4

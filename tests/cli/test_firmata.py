@@ -191,22 +191,6 @@ def test_knobs_and_buttons_move_the_sea(start, board, piece):
     assert board.wait(lambda: board.modes == {2: 0, 13: 1, 9: 3} and board.interval == 10)
 
 
-def test_lamps_follow_and_go_out_at_the_end(start, board):
-    board.plug()
-    bridge = start()
-    bridge.log.wait_for("uno CONNECTED")
-    client = bridge.connect()
-    assert bridge.ask(client, "OUT uno/o13 1") == "OK"
-    assert bridge.ask(client, "SET app.frame_rate 60") == "OK"
-    assert board.wait(lambda: board.levels == {13: 1, 9: 120})
-    assert bridge.ask(client, "OUT uno/o13 2").startswith("ERR RANGE uno/o13 = 2: allowed: 0 .. 1")
-    assert bridge.ask(client, "OUT uno/d2 1").startswith(
-        "ERR RANGE uno/d2: is not an output of the board"
-    )
-    assert bridge.stop() == 130
-    assert board.wait(lambda: board.levels == {13: 0, 9: 0})
-
-
 def test_a_board_that_says_nothing_is_named(start, board):
     board.plug(answers=False)
     bridge = start()
@@ -219,16 +203,6 @@ def test_a_board_that_says_nothing_is_named(start, board):
 def test_a_board_that_did_not_begin_anew_is_asked(start, board):
     board.plug(begins=False)
     start().log.wait_for("uno CONNECTED")
-
-
-def test_whatever_else_is_there_is_named_once(start, board, tmp_path):
-    board.path.write_text("no terminal")
-    bridge = start()
-    bridge.log.wait_for("uno BUSY: tty: Inappropriate ioctl for device$")
-    board.path.unlink()
-    board.plug()
-    bridge.log.wait_for("uno CONNECTED")
-    assert len([line for line in bridge.log.seen if "BUSY" in line]) == 1
 
 
 @pytest.fixture

@@ -145,13 +145,6 @@ def test_a_small_patch_is_warned_of(ocean):
     assert ocean(*run, "--set", "patch_size=20000").stderr == ""
 
 
-def test_unknown_columns_are_ignored_with_a_warning(ocean):
-    ocean.write("points.csv", "x;y;depth\n1,5;2;3\n")
-    done = ocean("gauge sea.toml --points points.csv", *RECORD, "-o", "g.csv")
-    assert done.returncode == 0 and "ignored unknown columns: 'depth'" in done.stderr
-    assert (ocean.folder / "g.csv").read_text().splitlines()[1].startswith("0,1,1.5,2,")
-
-
 def test_an_interrupted_run_leaves_nothing(ocean):
     ocean.write("points.csv", "x,y\n0,0\n")
     run = ["gauge", "sea.toml", "--set", "resolution=512", "-q", "--points", "points.csv"]

@@ -179,15 +179,6 @@ def test_a_measured_sea_names_its_station_and_time(ocean):
     assert "measured: 41010, 2020-06-08T03:50 UTC" in text
 
 
-def test_measured_height_is_the_integral_of_the_file(ocean):
-    line = BUOY.read_text().splitlines()[1]
-    pairs = [(float(f), float(s)) for s, f in re.findall(r"([\d.]+) \(([\d.]+)\)", line)]
-    frequency, density = np.array(pairs).T
-    height = 4.0 * math.sqrt(np.trapz(density, frequency))
-    asked = state_of(ocean, "buoy.toml")["significant_wave_height"]["asked"]
-    assert asked == pytest.approx(height, rel=0.01)
-
-
 def test_set_changes_a_parameter_and_may_be_repeated(ocean):
     state = state_of(ocean, "sea.toml", "--set", "wind_direction=75", "--set", "patch_size=400")
     assert state["mean_direction"]["asked"] == pytest.approx(75.0, abs=0.01)
@@ -209,31 +200,11 @@ def test_a_grid_that_holds_too_little_is_warned_of(ocean):
     assert "warning" not in done.stdout
 
 
-def test_threads_do_not_change_the_numbers(ocean):
-    assert state_of(ocean, "sea.toml", "--threads", "1") == state_of(
-        ocean, "sea.toml", "--threads", "3"
-    )
-
-
 @pytest.mark.parametrize("sea", ["sea.toml", "buoy.toml"])
 def test_info_of_a_baked_file_is_info_of_the_sea(ocean, sea):
     ocean.good("bake", sea, "-o", "out/s.exr", "--products", "height")
     assert state_of(ocean, "out/s.exr") == {**state_of(ocean, sea), "frame": 1, "time": 0.0}
     assert ocean.good("info out/s.exr --sea-file") == ocean.good("info", sea, "--sea-file")
-
-
-def test_a_baked_file_needs_no_buoy_file(ocean):
-    copy = ocean.write("b.data_spec", BUOY.read_bytes())
-    ocean.write("b.toml", 'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "b.data_spec"\n')
-    ocean.good("bake b.toml -o s.exr --products height")
-    before = state_of(ocean, "b.toml")
-    copy.unlink()
-    assert state_of(ocean, "s.exr") == {**before, "frame": 1, "time": 0.0}
-
-
-def test_the_printed_sea_file_is_the_same_sea(ocean):
-    ocean.write("again.toml", ocean.good("info buoy.toml --sea-file"))
-    assert state_of(ocean, "again.toml") == state_of(ocean, "buoy.toml")
 
 
 @pytest.mark.parametrize("sea", ["sea.toml", "buoy.toml"])
