@@ -21,14 +21,6 @@ def test_an_exr_of_another_program_is_refused(ocean):
     assert "other.exr" in ocean.bad("info other.exr")
 
 
-def test_a_truncated_baked_file_is_refused(ocean):
-    ocean.good("bake sea.toml -o s.exr --products height")
-    whole = (ocean.folder / "s.exr").read_bytes()
-    for size in (4, 100, 1000):
-        ocean.write("cut.exr", whole[:size])
-        assert "cut.exr" in ocean.bad("info cut.exr")
-
-
 def test_a_folder_in_the_place_of_the_output_is_left_alone(ocean):
     (ocean.folder / "s.exr").mkdir()
     done = ocean("bake sea.toml -o s.exr --products height")

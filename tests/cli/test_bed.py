@@ -7,9 +7,9 @@ import json
 SEA = 'libocean = 1\n[water]\ndepth = 6.0\nseabed = "bed.asc"\n[grid]\nresolution = 64\n'
 
 
-def grid(rise: float = 1.0) -> str:
+def grid() -> str:
     head = "ncols 21\nnrows 5\nxllcorner 0\nyllcorner 0\ncellsize 5\n"
-    row = " ".join(str(rise * (i - 10) + 0.5) for i in range(21))
+    row = " ".join(str(i - 9.5) for i in range(21))
     return head + (row + "\n") * 5
 
 
@@ -26,16 +26,6 @@ def test_info_describes_the_bed_and_the_text_holds_it(ocean):
     ocean.write("elsewhere/sea.toml", ocean.good("info coast/sea.toml --sea-file"))
     again = json.loads(ocean.good("info elsewhere/sea.toml --json"))["bed"]
     assert again == bed
-
-
-def test_a_bed_of_depths_is_warned_of(ocean):
-    ocean.write("sea.toml", SEA)
-    ocean.write("bed.asc", grid().replace("-", ""))
-    state = json.loads(ocean.good("info sea.toml --json"))
-    assert any("land alone" in warning for warning in state["warnings"])
-    ocean.write("bed.asc", grid(1000.0))
-    state = json.loads(ocean.good("info sea.toml --json"))
-    assert any("check seabed_unit" in warning for warning in state["warnings"])
 
 
 def test_set_takes_a_bed_from_where_the_user_stands(ocean):

@@ -1,16 +1,21 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Volumes and spray of a coast, read by pyopenvdb and meshio. Its other files are in
+"""Regions, volumes and spray of a coast, read by pyopenvdb and meshio. Its other files are in
 test_files_read_by_others.py."""
 
 import meshio
 import numpy as np
 import pytest
-from coasts import REGION
+from coasts import REGION, image
 
 import libocean
 
 BAKE = ("bake", "sea.toml", *REGION, "--frames", "9", "-q")
+
+
+def test_without_a_region_the_whole_bed_is_baked(coast):
+    coast.good("bake sea.toml -o s.exr --products height")
+    assert image(coast.folder / "s.exr").shape == (26, 46)
 
 
 def test_a_volume_of_a_coast_has_the_motion_of_its_water(coast):

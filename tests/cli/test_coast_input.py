@@ -15,22 +15,6 @@ MEASURED = f'[[waves]]\nspectrum = "measured"\nfile = "{BUOY}"\n'
 BACK = '[[waves]]\nspectrum = "jonswap"\nwind_speed = 6.0\nwind_direction = 180\nfetch = 20000.0\n'
 
 
-@pytest.mark.parametrize(
-    ("floats", "header", "sentence"),
-    [
-        (FLOATS[:-5], HEADER, "has 4779 bytes, its header says 46 x 26 floats, which are 4784"),
-        (FLOATS, None, "has no header beside it"),
-    ],
-)
-def test_floats_that_do_not_fit_their_header_are_refused(coast, floats, header, sentence):
-    coast.write("sea.toml", SEA.replace("bed.asc", "bed.flt"))
-    coast.write("bed.flt", floats)
-    if header is not None:
-        coast.write("bed.hdr", header)
-    message = coast.bad("bake sea.toml -o s.exr", *REGION)
-    assert sentence in message, message
-
-
 # A header may lie so that all sizes agree: it describes another bed, whose oddities are warned of.
 def test_rows_and_columns_in_exchange_are_another_coast(coast):
     coast.write("sea.toml", SEA.replace("bed.asc", "bed.flt"))
@@ -83,27 +67,6 @@ def test_an_unsuitable_coast_is_planned_and_baked_with_a_warning(coast, row):
     assert np.isfinite(image(coast.folder / "s.exr")).all()
 
 
-@pytest.mark.parametrize("direction", [0, 40, 90, -60])
-def test_a_beach_is_taken_for_a_beach(coast, direction):
-    shown = coast("info sea.toml --set", f"wind_direction={direction}")
-    assert shown.returncode == 0
-    assert "upside down" not in shown.stderr and "seabed_unit" not in shown.stderr
-
-
-@pytest.mark.parametrize(
-    ("cell", "sentence"),
-    [
-        (0.001, "the bed is 0.045 m long, less than a peak wavelength"),
-        (50.0, "its cells of 50 m are coarse for waves of 23.92 m"),
-        (50.0, "the bed is 2250 m long and the waves offshore repeat every 200 m"),
-    ],
-)
-def test_cells_in_a_wrong_unit_are_warned_of(coast, cell, sentence):
-    coast.write("bed.asc", grid(BEACH, cell))
-    done = coast("bake sea.toml -o s.exr", *REGION, "--products", "height")
-    assert done.returncode == 0 and sentence in done.stderr, done.stderr
-
-
 def test_cells_of_spray_that_are_wider_than_breakers_are_told(coast):
     coast.write("bed.asc", grid(BEACH[:3], 120.0))
     bake = ("bake", "sea.toml", "--frames", "1", "--set", "wind_speed=14")
@@ -112,13 +75,6 @@ def test_cells_of_spray_that_are_wider_than_breakers_are_told(coast):
     assert shown.returncode == 0, shown.stderr
     assert "spray over a bed of 5400 m is emitted on cells of 5.27 m" in shown.stderr
     assert "is emitted on" not in coast(*bake, "-o", "h.exr", "--products", "height").stderr
-
-
-def test_one_of_several_systems_that_comes_from_land_is_named(coast):
-    coast.write("sea.toml", SEA + BACK)
-    shown = coast("info sea.toml")
-    assert "the sides by which the waves of waves.1 come in are land alone" in shown.stderr
-    assert "waves.0" not in shown.stderr
 
 
 def test_points_beyond_the_bed_and_in_its_ground_are_counted(coast):

@@ -392,13 +392,6 @@ def test_options_that_a_geotiff_does_not_need_are_refused(ocean):
         assert words in ocean.bad("terrain import dem.tif", *options), options
 
 
-def test_a_terrain_that_names_a_tiff_is_told_the_command(ocean):
-    write_tiff(ocean.folder / "dem.tif", land())
-    (ocean.folder / "t.toml").write_text('libocean = 1\n[terrain]\nmeasured = "dem.tif"\n')
-    message = ocean.bad("terrain t.toml -o t.exr")
-    assert "`ocean terrain import dem.tif -o bed.flt`" in message
-
-
 def test_a_big_file_is_read_in_little_memory_and_soon(ocean):
     data = numpy.zeros((4096, 4096), "int16")
     data[::7, ::5] = 9
