@@ -79,12 +79,6 @@ TEST(SeaFileRoundTrip, EveryKeyNonDefaultKeepsEveryBit) {
     EXPECT_EQ(write_sea(written_and_read(sea)), write_sea(sea));
 }
 
-TEST(SeaFileRoundTrip, SecondOrderStaysOn) {
-    const Sea sea = parse("[surface]\nsecond_order = true\n");
-    EXPECT_TRUE(sea.parameters.surface.second_order);
-    EXPECT_EQ(difference(written_and_read(sea), sea), "");
-}
-
 TEST(SeaFileRoundTrip, AnUnsetWindStaysUnset) {
     const Sea swell = parse(
         "[[waves]]\nspectrum = \"jonswap\"\nsignificant_wave_height = 1.0\npeak_period = 14.0\n");

@@ -39,19 +39,6 @@ void write_asc(const std::string& path, const Grid& grid) {
     }
 }
 
-void write_flt(const std::string& path, const Grid& grid) {
-    std::ofstream header(path + ".hdr");
-    header << "ncols " << grid.columns << "\nnrows " << grid.rows << "\nxllcorner 0\nyllcorner 0\n"
-           << "cellsize " << grid.cell << "\nbyteorder LSBFIRST\n";
-    std::ofstream file(path + ".flt", std::ios::binary);
-    for (int j = grid.rows - 1; j >= 0; --j) {
-        for (int i = 0; i < grid.columns; ++i) {
-            const auto bits = std::bit_cast<std::uint32_t>(height_at(i, j));
-            for (int shift = 0; shift < 32; shift += 8) file.put(static_cast<char>(bits >> shift));
-        }
-    }
-}
-
 Sea sea_of(const std::string& water, const TemporaryFolder& folder) {
     return parse_sea("libocean = 1\n[water]\n" + water, "sea.toml", folder.path());
 }
@@ -74,19 +61,15 @@ TEST(SeaBedFile, AnOpenSeaKeepsItsText) {
     }
 }
 
-TEST(SeaBedFile, AsciiGridsAndFloatsGiveTheSameBed) {
+TEST(SeaBedFile, AnElevationModelIsTheBedFromItsOrigin) {
     const TemporaryFolder folder;
     write_asc(folder.file("bed.asc"), {.first = to_text(double{height_at(0, 6)})});
-    write_flt(folder.file("bed"), {});
     const Sea text = sea_of("seabed = \"bed.asc\"\nseabed_origin = [-20.0, 30.0]\n", folder);
-    const Sea floats = sea_of("seabed = \"bed.flt\"\nseabed_origin = [-20.0, 30.0]\n", folder);
     const SeaBed& bed = bed_of(text);
     EXPECT_EQ(bed.domain.samples, (std::array{12, 7}));
     EXPECT_EQ(bed.domain.origin, (std::array{-20.0, 30.0}));
     EXPECT_EQ(bed.cell(), 4.0);
     EXPECT_EQ(bed.heights[12 + 3], height_at(3, 1)) << "row 1 from the south";
-    EXPECT_EQ(bed.heights, bed_of(floats).heights);
-    EXPECT_EQ(bed.sha256, bed_of(floats).sha256);
     EXPECT_EQ(named_files(text), std::vector<std::string>{"bed.asc"});
 }
 
