@@ -26,27 +26,6 @@ def test_time_comes_from_the_sea_not_from_the_range(ocean):
     assert float(spec["ocean:time"]) == 8.0 / 48.0
 
 
-def test_channels_types_and_headers(ocean):
-    products = "height,displacement,slope,normal,jacobian,velocity"
-    ocean.bake("-o s.####.exr --products", products, "--frames", "2")
-    kinds = {
-        "height": (1, "half"),
-        "displacement": (3, "float"),
-        "normal": (3, "half"),
-        "jacobian": (1, "half"),
-        "velocity": (3, "float"),
-    }
-    for product, (channels, kind) in kinds.items():
-        spec, pixels = ocean.image(f"s.{product}.0002.exr")
-        assert (spec.nchannels, str(spec.format)) == (channels, kind), product
-        names = ("R", "G", "B") if channels == 3 else ("Y",)
-        assert spec.channelnames == names
-        assert (spec.width, spec.height) == (64, 64)
-        assert spec["ocean:field"] == product and spec["ocean:frame"] == "2"
-        assert spec["ocean:period"] == "200" and "libocean = 1" in spec["ocean:sea"]
-        assert np.isfinite(pixels).all()
-
-
 def test_the_bottom_scanline_is_the_first_row(ocean):
     # A lone wave train that travels north: h(y, t) = h(y - c t, 0) moves up in the picture.
     narrow = ["--products", "height", "--type", "float", "--set", "wind_direction=90", "--set",
@@ -59,14 +38,6 @@ def test_the_bottom_scanline_is_the_first_row(ocean):
     turn = np.angle(second[wave] / first[wave])
     omega = math.sqrt(9.81 * 2.0 * math.pi * wave / 200.0)
     assert turn == pytest.approx(-omega * 0.25, rel=0.05)
-
-
-def test_layered_files_have_all_products(ocean):
-    ocean.bake("-o s.exr --layout layered")
-    spec, pixels = ocean.image("s.exr")
-    normal = {"normal.X", "normal.Y", "normal.Z"}
-    assert {"R", "G", "B", "A", "foam.V"} | normal == set(spec.channelnames)
-    assert (pixels[..., spec.channelnames.index("A")] == 1.0).all()
 
 
 def test_type_and_compression_are_obeyed(ocean):

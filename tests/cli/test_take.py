@@ -33,28 +33,6 @@ def test_set_of_a_take_is_relative_to_the_working_directory(ocean):
     assert "[take]" not in ocean.good(*arguments, "take=")
 
 
-def test_a_performance_is_the_same_without_its_foam_and_from_a_frame(ocean):
-    storm = "0.02 wind_speed 14\n0.1 choppiness 1.4\n0.15 spreading mitsuyasu\n0.2 fetch 1e5\n"
-    ocean.write("storm.take", storm)
-    ocean.write("take.toml", SEA + "[surface]\nfoam_lifetime = 0.5\n")
-    bake = ["bake", "take.toml", "--products", "displacement,normal,foam", "-o"]
-    ocean.good(*bake, "all/s.####.exr", "--frames", "1-6")
-    plain = ["bake", "take.toml", "--products", "displacement,normal", "-o"]
-    ocean.good(*plain, "side/s.####.exr", "--frames", "1-6", "--threads", "3")
-    whole, side = ocean.hashes("all"), ocean.hashes("side")
-    pictures = [name for name in side if name.endswith(".exr")]
-    assert len(pictures) == 12
-    assert all(side[name] == whole[name] for name in pictures)
-    # A baked frame holds the performance: the others come from it.
-    (ocean.folder / "storm.take").unlink()
-    products = "displacement,normal,foam"
-    frame = "all/s.displacement.0002.exr"
-    ocean.good(f"bake --from {frame} -o from/s.####.exr --frames 6 --products {products}")
-    ocean.good("bake --from all/s.displacement.0002.exr -o one.exr --set take=")
-    name = "s.displacement.0006.exr"
-    assert ocean.hashes("from")[name] == whole[name]
-
-
 def test_queries_and_gauges_follow_a_performance(ocean):
     ocean.write("storm.take", "1 wind_speed 15\n")
     ocean.write("take.toml", SEA)
