@@ -136,6 +136,14 @@ def add_horizon(resolution: int, vertices: int, distance: float = 5000.0, **argu
     return ob
 
 
+def sea_of(ob):
+    """Returns the library's own sea of the values in an ocean's panel."""
+    from libocean_addon.bundled import libocean
+    from libocean_addon.sea import parameter_values
+
+    return libocean.parse(parameter_values.values_of(ob.libocean).text())
+
+
 def evaluated_mesh(ob):
     return ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
 

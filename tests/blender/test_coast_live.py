@@ -43,13 +43,6 @@ SLIDES = {
 }
 
 
-def test_a_new_coast_has_its_land_at_once(waiting, sea_file):
-    ob = add_coast(sea_file)
-    assert drafts.progress(ob.name_full) is not None
-    assert len(ob.libocean_coast.land.data.vertices) == COLUMNS * ROWS
-    assert_is_bed(ob)
-
-
 @pytest.mark.parametrize("name", SLIDES)
 def test_nothing_that_slides_has_the_main_thread_wait(
     coast,
@@ -172,6 +165,7 @@ def test_a_new_coast_is_water_at_rest_until_its_whole_is_made(
     ob = add_coast(sea_file)
     assert drafts.is_draft(ob.name_full)
     assert len(ob.data.vertices) == COLUMNS * ROWS
+    assert_is_bed(ob)
     assert len(positions(ob)) == COLUMNS * ROWS and np.abs(positions(ob)[:, 2]).max() == 0.0
     work_on()
     assert "waves over the bed" in drafts.line()[0] or "foam" in drafts.line()[0]

@@ -17,10 +17,9 @@ from conftest import (
     plane,
     reopened,
     save,
+    sea_of,
     updates_of,
 )
-from libocean_addon.bundled import libocean
-from libocean_addon.sea import parameter_values
 
 
 @pytest.fixture
@@ -36,10 +35,6 @@ def boat(ocean):
     ob.rotation_euler.z = math.radians(30)
     assert bpy.ops.libocean.add_float(ocean=ocean.name) == {"FINISHED"}
     return ob
-
-
-def sea_of(ocean):
-    return libocean.parse(parameter_values.values_of(ocean.libocean).text())
 
 
 def world(boat) -> np.ndarray:

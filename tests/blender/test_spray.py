@@ -22,10 +22,11 @@ from conftest import (
     plane,
     rendered,
     save,
+    sea_of,
     updates_of,
 )
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import live, parameter_values
+from libocean_addon.sea import live
 from libocean_addon.shared import changes, drafts
 from libocean_addon.spray import spray, spray_nodes
 
@@ -42,10 +43,6 @@ def ocean(scene):
         ob.libocean.spray_size = SIZE
     ob.libocean.use_spray = True
     return ob
-
-
-def sea_of(ocean):
-    return libocean.parse(parameter_values.values_of(ocean.libocean).text())
 
 
 def points(ocean) -> dict[str, np.ndarray]:

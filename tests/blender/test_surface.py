@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from conftest import add_ocean, attribute, opened, plane, positions, presets_with, rest
 from libocean_addon.bundled import libocean
+from test_terrain import on_samples
 
 FRAMES = (1, 40, 250)
 ROUND, ODD = 200.0, 137.3  # periods: a vertex's place is exact in one, rounded in the other
@@ -72,13 +73,6 @@ def significant_wave_height(sea) -> float:
 def patch(load, period=ROUND, **sea):
     ob = add_ocean(64, kind="PATCH")
     return ob, load(ob, period, **sea)
-
-
-def on_samples(field: np.ndarray) -> np.ndarray:
-    """A field at the vertices of a patch: the origin in the middle, the seam on both sides."""
-    n = len(field)
-    index = (np.arange(n + 1) - n // 2) % n
-    return field[np.ix_(index, index)].reshape((n + 1) ** 2, *field.shape[2:])
 
 
 def at_points(sea, field: str, points: np.ndarray, time: float) -> np.ndarray:

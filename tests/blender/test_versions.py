@@ -8,9 +8,8 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, positions, rest
+from conftest import attribute, positions, rest, sea_of
 from libocean_addon.bake import bake_record
-from libocean_addon.bundled import libocean
 from libocean_addon.sea import node_group, parameter_values
 from libocean_addon.shared import modifier_groups
 
@@ -29,11 +28,6 @@ def old(old_file):
     bpy.ops.wm.open_mainfile(filepath=str(old_file))
     bpy.context.scene.frame_set(50)
     return bpy.data.objects
-
-
-def sea_of(ob):
-    values = parameter_values.values_of(ob.libocean)
-    return libocean.parse(values.text())
 
 
 def test_the_file_is_old(old_file):

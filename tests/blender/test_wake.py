@@ -14,9 +14,10 @@ from conftest import (
     positions,
     reopened,
     rest,
+    sea_of,
 )
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import facts, hull_values, parameter_values, wake_nodes, wakes
+from libocean_addon.sea import facts, hull_values, wake_nodes, wakes
 from libocean_addon.shared import changes, modifier_groups
 
 HULL = """
@@ -52,10 +53,6 @@ def ocean(tmp_path):
     ob = add_ocean(64, kind="PATCH")
     load(ob, BOAT + OTHER, tmp_path / "boats.toml")
     return ob
-
-
-def sea_of(ob):
-    return libocean.parse(parameter_values.values_of(ob.libocean).text())
 
 
 def region(ob, time: float) -> dict:
