@@ -94,6 +94,20 @@ std::vector<CrestSea> crest_seas() {
         p.grid.cascades = 3;
         p.grid.cascade_divisors = {1, 7, 53};
     };
+    const auto measured = [](Parameters& p) {
+        auto record = std::make_shared<SpectrumRecord>();
+        for (double f = 0.05; f < 0.25; f += 0.005) {
+            record->frequency.push_back(f);
+            record->density.push_back(90.0 * std::exp(-std::pow((f - 0.09) / 0.02, 2.0)));
+            record->a1.push_back(0.3);
+            record->b1.push_back(0.8);
+            record->a2.push_back(-0.5);
+            record->b2.push_back(0.4);
+        }
+        p.waves = {WaveSystem{}};
+        p.waves.front().spectrum = SpectrumKind::measured;
+        p.waves.front().measured = record;
+    };
     return {{"JONSWAP", storm()},
             {"Phillips", changed(phillips)},
             {"TMA", changed(tma)},
@@ -102,7 +116,8 @@ std::vector<CrestSea> crest_seas() {
             {"a loop", changed(loop)},
             {"a late time", changed(late)},
             {"a far place", changed(far_away)},
-            {"three cascades", changed(three_cascades)}};
+            {"three cascades", changed(three_cascades)},
+            {"measured", changed(measured)}};
 }
 
 TEST(Crests, StandAtTheirPlaceAndTimeWhateverTheSea) {
