@@ -55,6 +55,7 @@ class Passes {
     void one(double time) {
         frame_.tau = modes_.tau(time);
         kernel_.begin(frame_, pool_);
+        kernel_.sweep({}, &pool_);
     }
     void two() {
         for (PageVector<float>& floats : scratch_) {

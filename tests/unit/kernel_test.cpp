@@ -3,6 +3,8 @@
 //
 // The kernel of the cpu backend: its codelets, every size and instruction set against transforms in
 // double, and bits that do not depend on how a frame is requested.
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
@@ -231,6 +233,43 @@ TEST_F(KernelFrames, HaveTheSameBitsForAnySizesOfCaches) {
         EXPECT_EQ(channels(level, 1, kNoCaches), whole);
         EXPECT_EQ(channels(level, 2, {0, kEndless}), whole);
         EXPECT_EQ(channels(level, 2, {std::size_t{96} << 10, 0}), whole);
+    }
+}
+
+TEST_F(KernelFrames, HaveTheSameBitsIfTheirStripsAreSweptAFewAtATime) {
+    constexpr float kUnwritten = -7.0f;
+    const auto output_to = [](PageVector<float>& map) {
+        using enum Channel;
+        return MapOutput{map.data(), 4, {{{dx}, {dy}, {height}, {vz}}}};
+    };
+    PageVector<float> whole(4 * modes_.lattice.size());
+    PageVector<float> map(whole.size());
+    const MapOutput to_whole = output_to(whole), to_map = output_to(map);
+    for (const SimdLevel level : levels()) {
+        for (const CacheSizes& caches : {kNoCaches, kLargeCaches}) {
+            run(level, {&to_whole, 1}, pool_, {}, caches);
+            std::ranges::fill(map, kUnwritten);
+            MapKernel kernel(pack_modes(request_, pool_, level), caches);
+            kernel.begin({request_.tau, parameters_.surface, {&to_map, 1}, {}}, pool_);
+            PageVector<float> scratch(kernel.scratch_floats());
+            using Strips = std::array<std::uint8_t, kSize / 32>;
+            ASSERT_EQ(kernel.strip_width(), 32);
+            Strips written{};
+            for (const Strips& sweep :
+                 {Strips{0, 0, 1, 0}, Strips{1, 0, 0, 0}, Strips{0, 1, 0, 1}}) {
+                kernel.sweep(sweep, sweep[0] != 0 ? nullptr : &pool_);
+                for (std::size_t strip = 0; strip < sweep.size(); ++strip) {
+                    if (sweep[strip] == 0) continue;
+                    kernel.write_strip(static_cast<int>(strip), scratch.data());
+                    written[strip] = 1;
+                }
+                for (std::size_t i = 0; i < map.size(); ++i) {
+                    const bool is_written = written[i / 4 % kSize / 32] != 0;
+                    ASSERT_EQ(map[i], is_written ? whole[i] : kUnwritten)
+                        << simd_name(level) << ", " << i;
+                }
+            }
+        }
     }
 }
 

@@ -103,6 +103,8 @@ struct FrameTask {
     std::size_t source_stride;  // from one source to the next
     std::size_t line_stride;    // and from one j < B / 2 to the next
     bool stream_intermediate;
+    /// [item of pass two]: 1 = pass one stores what this item reads; null: for all items.
+    const std::uint8_t* strips;
     bool stream_outputs;
 
     Source source[kSourceCount];

@@ -15,6 +15,10 @@ inline constexpr int kPartner = 16;
 inline constexpr int kItemWidth = 2 * kPartner;
 /// Pairs of blocks of kLanes in an item.
 inline constexpr int kPairs = kPartner / kLanes;
+/// Returns the item that reads a block of kLanes x.
+constexpr int item_of(int block) {
+    return block / (2 * kPairs);
+}
 
 /// Between the sweeps: B lines of A complex values. Each line has one value more, so that a step
 /// from line to line is not a multiple of the cache's sets.
@@ -50,9 +54,9 @@ struct Intermediate {
     /// Returns the offset of a block of x: blocks 0 .. kPairs - 1 of an item are the first ones of
     /// its pairs.
     static std::size_t x_block(const FrameTask& task, int block) {
-        const int item = block / (2 * kPairs);
         const int within = block % (2 * kPairs);
-        return static_cast<std::size_t>(item * kPairs + within % kPairs) * task.pair_stride +
+        return static_cast<std::size_t>(item_of(block) * kPairs + within % kPairs) *
+                   task.pair_stride +
                static_cast<std::size_t>(within / kPairs) * kBlock;
     }
 };

@@ -261,23 +261,39 @@ struct MapKernel::Impl {
             task.pair_stride * static_cast<std::size_t>(task.size / (2 * code.lanes));
         if (make_room(intermediate, floats)) prefault_pages(intermediate, pool);
         task.intermediate = intermediate.data();
-        // If most of the intermediate values stay in the shared cache, storing past it loses 8 % of
-        // a frame; otherwise storing through it loses 10 % [measured].
-        task.stream_intermediate = floats * sizeof(float) > caches.shared / 4;
         const bool streams = are_streamed(frame, outputs, task.size, floats, caches);
         for (FrameTask& one : part) {
             one.intermediate = intermediate.data();
             one.stream_outputs = streams;
         }
-        scratch.resize(std::max(scratch.size(), static_cast<std::size_t>(pool.size())));
+    }
+
+    void sweep(std::span<const std::uint8_t> strips, ThreadPool* pool) {
+        const auto threads = pool != nullptr ? static_cast<std::size_t>(pool->size()) : 1;
+        scratch.resize(std::max(scratch.size(), threads));
         for (PageVector<float>& one : scratch) make_room(one, scratch_floats());
-        pool.for_each_item(task.columns / code.lanes, [this](int item, int thread) {
+        const auto unwanted = static_cast<int>(std::ranges::count(strips, 0));
+        const int columns = task.size - unwanted * code.item_width;
+        const std::size_t floats =
+            task.pair_stride * static_cast<std::size_t>(columns / (2 * code.lanes));
+        // If most of the intermediate values stay in the shared cache, storing past it loses 8 % of
+        // a frame; otherwise storing through it loses 10 % [measured].
+        task.stream_intermediate = floats * sizeof(float) > caches.shared / 4;
+        task.strips = unwanted > 0 ? strips.data() : nullptr;
+        const auto block = [this](int item, int thread) {
             code.pass_one(task, item, scratch[static_cast<std::size_t>(thread)].data());
-        });
+        };
+        const int blocks = task.columns / code.lanes;
+        if (pool != nullptr) {
+            pool->for_each_item(blocks, block);
+        } else {
+            for (int item = 0; item < blocks; ++item) block(item, 0);
+        }
     }
 
     void run(const KernelFrame& frame, std::span<const MapOutput> outputs, ThreadPool& pool) {
         begin(frame, outputs, pool);
+        sweep({}, &pool);
         pool.for_each_item(task.size / code.item_width, [this](int item, int thread) {
             pass_two(item, scratch[static_cast<std::size_t>(thread)].data());
         });
@@ -355,6 +371,10 @@ void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {
 
 void MapKernel::begin(const KernelFrame& frame, ThreadPool& pool) {
     impl_->begin(frame, frame.outputs, pool);
+}
+
+void MapKernel::sweep(std::span<const std::uint8_t> strips, ThreadPool* pool) {
+    impl_->sweep(strips, pool);
 }
 
 int MapKernel::strip_width() const {

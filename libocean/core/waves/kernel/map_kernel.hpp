@@ -48,12 +48,15 @@ class MapKernel {
 
     void run(const KernelFrame& frame, ThreadPool& pool);
 
-    /// Runs pass one alone, for at most kMaxOutputs outputs. For a caller that reads few columns of
-    /// a map and makes them with write_strip().
+    /// Begins a frame of at most kMaxOutputs outputs without computing any, for a caller that reads
+    /// few columns of a map: sweep() and then write_strip() make these.
     void begin(const KernelFrame& frame, ThreadPool& pool);
-    /// Runs pass two for one strip of strip_width() columns: writes the outputs there. Strips may
-    /// run in any order, and in several threads at once, each with its own scratch of
-    /// scratch_floats().
+    /// Runs pass one for each strip of strip_width() columns whose number in `strips` is not 0, or
+    /// for all if `strips` is empty, on the threads of the pool or, if it is null, on the calling
+    /// thread. Most of the work is the same for any number of strips. A later call adds others.
+    void sweep(std::span<const std::uint8_t> strips, ThreadPool* pool);
+    /// Runs pass two for one strip that has been swept: writes the outputs there. Strips may run in
+    /// any order, and in several threads at once, each with its own scratch of scratch_floats().
     int strip_width() const;
     std::size_t scratch_floats() const;
     void write_strip(int strip, float* scratch) const;

@@ -191,7 +191,7 @@ OCEAN_INLINE NextPackets next_packets(const FrameTask& task, int block, const fl
 }
 
 /// Runs the second sweep of one source, kLanes of its A transforms at a time. Transposes each block
-/// and stores it at the position from which pass two reads it.
+/// of a wanted strip and stores it at the position from which pass two reads it.
 template <int A, int B, bool kStream>
 void sweep_and_transpose(const FrameTask& task, int block, int source, const float* lines,
                          float* tile, const NextPackets& next) {
@@ -199,15 +199,20 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
     for (int l = 0; l < kLanes; ++l) {
         place[l] = Intermediate<B>::place(task, source, block * kLanes + l);
     }
+    const std::uint8_t* strips = task.strips;
     for (int group = 0; group < A / kLanes; ++group) {
         // x = k + A m with k in this group lies in block (A / kLanes) m + group.
+        const auto block_of = [=](int m) OCEAN_INLINE_LAMBDA { return A / kLanes * m + group; };
         const auto target = [&](int m) OCEAN_INLINE_LAMBDA {
-            return task.intermediate + Intermediate<B>::x_block(task, A / kLanes * m + group);
+            return task.intermediate + Intermediate<B>::x_block(task, block_of(m));
+        };
+        const auto is_wanted = [=](int m) OCEAN_INLINE_LAMBDA {
+            return strips == nullptr || strips[item_of(block_of(m))] != 0;
         };
         for (int k = 0; k < kLanes; ++k) {
             const float* in = lines + (group * kLanes + k) * 2 * kLanes;
             float* out = tile + k * 2 * kLanes;
-            if constexpr (!kStream) prefetch_targets<B>(target, place, k);
+            if constexpr (!kStream) prefetch_targets<B>(target, is_wanted, place, k);
             const float* ahead = next.share(source * A + group * kLanes + k, B);
             Codelet<B>::run(
                 [=](int j) OCEAN_INLINE_LAMBDA {
@@ -217,7 +222,9 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
                 [=](int m, Complex x)
                     OCEAN_INLINE_LAMBDA { store_complex(out + m * kTileStride, x); });
         }
-        for (int m = 0; m < B; ++m) transpose<kStream>(tile + m * kTileStride, target(m), place);
+        for (int m = 0; m < B; ++m) {
+            if (is_wanted(m)) transpose<kStream>(tile + m * kTileStride, target(m), place);
+        }
     }
 }
 

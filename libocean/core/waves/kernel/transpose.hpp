@@ -54,10 +54,13 @@ OCEAN_INLINE void transpose(const float* in, float* out, const std::size_t* plac
     }
 }
 
-/// Prefetches the lines that a transpose will store to, one share (of kLanes) of all B targets.
-template <int B, typename Target>
-OCEAN_INLINE void prefetch_targets(const Target& target, const std::size_t* place, int share) {
+/// Prefetches the lines that a transpose will store to, one share (of kLanes) of those of the B
+/// targets that are wanted.
+template <int B, typename Target, typename IsWanted>
+OCEAN_INLINE void prefetch_targets(const Target& target, const IsWanted& is_wanted,
+                                   const std::size_t* place, int share) {
     for (int m = share * B / kLanes; m < (share + 1) * B / kLanes; ++m) {
+        if (!is_wanted(m)) continue;
         for (int l = 0; l < kLanes; ++l) {
             for (int line = 0; line < 2 * kLanes; line += 16) {
                 __builtin_prefetch(target(m) + place[l] + line, 1, 3);

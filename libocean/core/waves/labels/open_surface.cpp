@@ -72,6 +72,7 @@ void OpenSurface::move_to(const Modes& modes, double time, bool rates, ThreadPoo
     if (rates) outputs.push_back(maps_->velocity->output(kVelocity));
     rates_ = rates;
     maps_->strips.begin(modes, time, outputs, pool);
+    maps_->strips.sweep_all(pool);
     has_begun_ = true;
 }
 

@@ -28,6 +28,7 @@ void BoundSplines::begin(const Modes& sea, double choppiness, const Water& water
                                                  Linear::height_rate, Linear::height_rate};
     const MapOutput output = maps_->spline.output(kFields);
     maps_->strips.begin(bound, 0.0, {&output, 1}, pool);
+    maps_->strips.sweep_all(pool);
     sums_.reset();
     if (sums) sums_.emplace(bound, water, shown);
 }

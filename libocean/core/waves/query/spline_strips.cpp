@@ -4,6 +4,8 @@
 // Spline maps strip by strip; see spline_strips.hpp.
 #include "waves/query/spline_strips.hpp"
 
+#include <algorithm>
+
 #include "ocean/backend.hpp"
 #include "ocean/internal/map_request.hpp"
 #include "ocean/thread_pool.hpp"
@@ -16,6 +18,8 @@ SplineStrips::SplineStrips(const Modes& modes, int resolution, const ModeFactor&
                                             factor)),
       kernel_(packed_),
       width_(kernel_.strip_width()),
+      swept_(static_cast<std::size_t>(resolution / width_)),
+      next_sweep_(swept_.size()),
       ready_(resolution / width_) {}
 
 bool SplineStrips::repack(const Modes& modes, const ModeFactor& factor, ThreadPool& pool) {
@@ -26,14 +30,37 @@ bool SplineStrips::repack(const Modes& modes, const ModeFactor& factor, ThreadPo
 
 void SplineStrips::begin(const Modes& modes, double time, std::span<const MapOutput> outputs,
                          ThreadPool& pool) {
+    std::ranges::fill(swept_, 0);
+    for (int strip = 0; strip < count(); ++strip) {
+        next_sweep_[static_cast<std::size_t>(strip)] = has(strip) ? 1 : 0;
+    }
     ready_.clear();
     SurfaceSettings plain;
     plain.choppiness = 1.0;
     kernel_.begin({modes.tau(time), plain, outputs, {}}, pool);
 }
 
+void SplineStrips::sweep_all(ThreadPool& pool) {
+    kernel_.sweep({}, &pool);
+    std::ranges::fill(swept_, 1);
+}
+
+void SplineStrips::sweep_for(std::span<const int> strips, ThreadPool* pool) const {
+    const auto is_swept = [this](int strip) {
+        return swept_[static_cast<std::size_t>(strip)] != 0;
+    };
+    if (std::ranges::all_of(strips, is_swept)) return;
+    for (const int strip : strips) next_sweep_[static_cast<std::size_t>(strip)] = 1;
+    kernel_.sweep(next_sweep_, pool);
+    for (std::size_t strip = 0; strip < swept_.size(); ++strip) {
+        swept_[strip] |= next_sweep_[strip];
+        next_sweep_[strip] = swept_[strip] != 0 ? 0 : 1;
+    }
+}
+
 void SplineStrips::make(std::span<const int> strips, ThreadPool* pool) const {
     const std::lock_guard lock(making_);
+    sweep_for(strips, pool);
     const auto threads = pool != nullptr ? static_cast<std::size_t>(pool->size()) : 1;
     if (scratch_.size() < threads) scratch_.resize(threads);
     ready_.make(strips, pool, [this](int strip, int thread) {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Spline maps of one time, made strip by strip where they are read: a few points need only a few
-// columns of a map, and pass two, the larger part of the kernel's work, makes columns.
+// columns of a map. Pass two, the larger part of the kernel's work, makes columns, and pass one
+// stores only those that it will read.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -26,11 +28,17 @@ class SplineStrips {
     /// Packs other modes. Returns false and changes nothing if their lattice differs.
     bool repack(const Modes& modes, const ModeFactor& factor, ThreadPool& pool);
 
-    /// Begins another time, without any strip. The outputs' buffers must outlive the strips.
+    /// Begins another time, without any strip. The outputs' buffers must outlive the strips. The
+    /// first make() runs pass one, for its strips and those that the time before needed; a make()
+    /// of others runs it once more, for all the others.
     void begin(const Modes& modes, double time, std::span<const MapOutput> outputs,
                ThreadPool& pool);
+    /// Runs pass one for all strips at once, after begin(), for a caller whose threads make strips
+    /// one by one.
+    void sweep_all(ThreadPool& pool);
 
-    /// Returns the packed modes, whose amplitudes may change before begin().
+    /// Returns the packed modes, whose amplitudes may change between sweep_all(), or the last
+    /// make() of a time, and begin().
     PackedModes& packed() { return *packed_; }
 
     int count() const { return ready_.count(); }
@@ -44,9 +52,13 @@ class SplineStrips {
     }
 
   private:
+    void sweep_for(std::span<const int> strips, ThreadPool* pool) const;
+
     std::shared_ptr<PackedModes> packed_;
-    MapKernel kernel_;
+    mutable MapKernel kernel_;
     int width_;
+    mutable std::vector<std::uint8_t> swept_;       // [strip]: 1 = pass one has run for it
+    mutable std::vector<std::uint8_t> next_sweep_;  // [strip]: 1 = it joins the next run
     mutable LazyTiles ready_;
     mutable std::mutex making_;
     mutable std::vector<PageVector<float>> scratch_;  // one for each thread
