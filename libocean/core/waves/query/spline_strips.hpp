@@ -45,6 +45,8 @@ class SplineStrips {
     int width() const { return width_; }
     int strip_of(int column) const { return column / width_; }
     bool has(int strip) const { return ready_.has(strip); }
+    /// Returns true if pass one of this time has run for a strip.
+    bool is_swept(int strip) const { return swept_[static_cast<std::size_t>(strip)] != 0; }
     /// Makes the given strips that are missing, on the threads of the pool unless it is null.
     void make(std::span<const int> strips, ThreadPool* pool) const;
     void need(int strip) const {
