@@ -33,6 +33,13 @@ constexpr std::array<Quantity, 4> kPosition = {Channel::dx, Channel::dy, Channel
                                                Channel::height};
 constexpr std::array<Quantity, 4> kVelocity = {Channel::vx, Channel::vy, Channel::vz, Channel::vz};
 
+/// Prefetches a sample that is written soon: points follow the map, and samples lie anywhere.
+void prefetch_for_writing(QuerySample& sample) {
+    const char* const bytes = reinterpret_cast<const char*>(&sample);
+    __builtin_prefetch(bytes, 1);
+    __builtin_prefetch(bytes + sizeof(sample) - 1, 1);
+}
+
 /// Sets the normal on the side seen from above: on the upper sheet of a fold the label's own normal
 /// points down.
 void set_normal(QuerySample& sample, double choppiness, const DisplacementSample& displacement,
@@ -75,13 +82,16 @@ struct SurfaceQuery::Impl {
     InversionTarget target(WorldPoint place) const {
         return InversionTarget::at(place.x, place.y, choppiness, reach());
     }
-    /// Makes the strips that samples of these points read.
-    void prepare(std::span<const WorldPoint> points, ThreadPool* pool) const;
+    /// Returns the block of the folds' index that each point lies in.
+    std::vector<int> blocks_of(std::span<const WorldPoint> points) const;
+    /// Makes the strips and the blocks that samples of points in these blocks read.
+    void prepare(std::span<const int> blocks, ThreadPool* pool) const;
     struct Numbered {
         WorldPoint point;
         std::size_t number;
     };
-    std::vector<Numbered> in_order(std::span<const WorldPoint> points) const;
+    std::vector<Numbered> in_order(std::span<const WorldPoint> points,
+                                   std::span<const int> blocks) const;
     int block_of(WorldPoint point) const {
         const WorldPoint place = wrapped_place(point);
         return folds.block_of(place.x, place.y);
@@ -150,10 +160,15 @@ void SurfaceQuery::Impl::begin(const Modes& modes, const SurfaceSettings& settin
     exact->set_time(time);
 }
 
-void SurfaceQuery::Impl::prepare(std::span<const WorldPoint> points, ThreadPool* pool) const {
+std::vector<int> SurfaceQuery::Impl::blocks_of(std::span<const WorldPoint> points) const {
+    std::vector<int> blocks(points.size());
+    std::ranges::transform(points, blocks.begin(), [this](WorldPoint p) { return block_of(p); });
+    return blocks;
+}
+
+void SurfaceQuery::Impl::prepare(std::span<const int> blocks, ThreadPool* pool) const {
     TileSet places(folds.blocks());
-    for (const WorldPoint& point : points) {
-        const int block = block_of(point);
+    for (const int block : blocks) {
         if (!folds.has(block)) places.add(block);
     }
     if (places.list().empty()) return;
@@ -167,12 +182,10 @@ void SurfaceQuery::Impl::prepare(std::span<const WorldPoint> points, ThreadPool*
     folds.make(position, places.list(), pool);
 }
 
-/// Returns the points ordered so that neighbours follow each other: reads of random points would
-/// wait for memory.
+/// Returns the points ordered by their blocks, so that neighbours follow each other: reads of
+/// random points would wait for memory.
 std::vector<SurfaceQuery::Impl::Numbered> SurfaceQuery::Impl::in_order(
-    std::span<const WorldPoint> points) const {
-    std::vector<int> blocks(points.size());
-    std::ranges::transform(points, blocks.begin(), [this](WorldPoint p) { return block_of(p); });
+    std::span<const WorldPoint> points, std::span<const int> blocks) const {
     std::vector<std::size_t> next(static_cast<std::size_t>(folds.blocks()) + 1, 0);
     for (const int block : blocks) ++next[static_cast<std::size_t>(block) + 1];
     for (std::size_t block = 1; block < next.size(); ++block) next[block] += next[block - 1];
@@ -262,10 +275,11 @@ void SurfaceQuery::Impl::sample_in_order(std::span<const Numbered> points,
             search.label = folds.look(search.place, search.label);
             folds.prefetch(search.label);
         });
-        stage(2, [&](const Numbered&, Search& search) {
+        stage(2, [&](const Numbered& point, Search& search) {
             search.label = folds.look(search.place, search.label);
             position.prefetch(search.label.x, search.label.y);
             velocity.prefetch(search.label.x, search.label.y);
+            prefetch_for_writing(samples[point.number]);
         });
         stage(3, [&](const Numbered& point, Search& search) {
             samples[point.number] = sample(point.point, search.place, search.label, starts);
@@ -360,8 +374,9 @@ SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
 void SurfaceQuery::sample(std::span<const WorldPoint> points, std::span<QuerySample> samples,
                           ThreadPool& pool) const {
     require_finite(points);
-    impl_->prepare(points, &pool);
-    const auto numbered = impl_->in_order(points);
+    const std::vector<int> blocks = impl_->blocks_of(points);
+    impl_->prepare(blocks, &pool);
+    const auto numbered = impl_->in_order(points, blocks);
     for_each_point(
         pool, points.size(), impl_->options.exact, [&](std::size_t first, std::size_t last) {
             impl_->sample_in_order(std::span(numbered).subspan(first, last - first), samples);
@@ -370,7 +385,8 @@ void SurfaceQuery::sample(std::span<const WorldPoint> points, std::span<QuerySam
 
 QuerySample SurfaceQuery::sample(WorldPoint point) const {
     require_finite({&point, 1});
-    impl_->prepare({&point, 1}, nullptr);
+    const int block = impl_->block_of(point);
+    impl_->prepare({&block, 1}, nullptr);
     const WorldPoint place = impl_->wrapped_place(point);
     Impl::Starts starts;
     return impl_->sample(point, place, impl_->folds.guess(place), starts);
