@@ -222,8 +222,15 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
                 [=](int m, Complex x)
                     OCEAN_INLINE_LAMBDA { store_complex(out + m * kTileStride, x); });
         }
-        for (int m = 0; m < B; ++m) {
-            if (is_wanted(m)) transpose<kStream>(tile + m * kTileStride, target(m), place);
+        const auto store_block = [&](int m) OCEAN_INLINE_LAMBDA {
+            transpose<kStream>(tile + m * kTileStride, target(m), place);
+        };
+        if (strips == nullptr) {  // a frame: no test of each block
+            for (int m = 0; m < B; ++m) store_block(m);
+        } else {
+            for (int m = 0; m < B; ++m) {
+                if (is_wanted(m)) store_block(m);
+            }
         }
     }
 }
