@@ -90,7 +90,7 @@ def test_the_exporter_reckons_with_the_macros_span():
 def test_shallow_water_looks_the_same():
     sand, shade = text("shaders/preview/sand.glsl"), rf"wet_sand_albedo = ({NUMBER}) \* sand_albedo"
     wet = [float(re.search(shade, sand)[1]) * part for part in value_of(sand, "sand_albedo")]
-    assert value_of(NODES, "_BED") == pytest.approx(wet)
+    assert value_of(NODES, "WET_SAND") == pytest.approx(wet)
     detail = text("blender_addon/libocean_addon/look/detail.py")
     water = text("shaders/preview/water_at.glsl")
     assert value_of(detail, "_SHALLOW") == value_of(water, "detail_depth")

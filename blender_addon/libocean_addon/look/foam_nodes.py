@@ -86,7 +86,7 @@ def foam_mean_thickness(b: Builder, cover, span):
 
 def foam_fade(b: Builder, footprint, cell):
     """The share of foam_faded() that is the cover: 0 .. 1 from 0.1 to 1.5 cells a pixel."""
-    return eased(b, 0.1, 1.5, b.number("DIVIDE", footprint, cell))
+    return b.eased(0.1, 1.5, b.number("DIVIDE", footprint, cell))
 
 
 def foam_faded(b: Builder, mask, cover, footprint, cell):
@@ -115,25 +115,17 @@ def foam_swash(b: Builder, depth, there, wave_height):
     foam behind. there: 1 where a depth [m] is known, else 0."""
     high = b.number("MULTIPLY", wave_height, 2.0, clamp=True)
     high = b.number("MULTIPLY", high, there)
-    line = b.number("SUBTRACT", 1.0, eased(b, _TIP, _LINE, depth))
+    line = b.number("SUBTRACT", 1.0, b.eased(_TIP, _LINE, depth))
     cover = b.number("MULTIPLY_ADD", line, _SWASH - _BEHIND, _BEHIND)
-    cover = b.number("MULTIPLY", cover, b.number("SUBTRACT", 1.0, eased(b, 0.0, _SHEET, depth)))
+    cover = b.number("MULTIPLY", cover, b.number("SUBTRACT", 1.0, b.eased(0.0, _SHEET, depth)))
     return b.number("MULTIPLY", cover, high)
 
 
 def foam_tip(b: Builder, depth, there):
     """Returns the share of its cover that foam has at the end of a sheet, where its lace opens: 0
     at a depth of 0, and 1 beyond the tip."""
-    opened = b.number("SUBTRACT", eased(b, 0.0, _TIP, depth), 1.0)
+    opened = b.number("SUBTRACT", b.eased(0.0, _TIP, depth), 1.0)
     return b.number("MULTIPLY_ADD", opened, there, 1.0)
-
-
-def eased(b: Builder, low: float, high: float, value):
-    """Returns 0 up to `low`, 1 from `high` on, and a smooth step between them."""
-    made = b.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
-    b.feed(value, made.inputs["Value"])
-    made.inputs["From Min"].default_value, made.inputs["From Max"].default_value = low, high
-    return made.outputs[0]
 
 
 def footprint(b: Builder, distance, pixel_angle, view_z):

@@ -35,7 +35,8 @@ _ROUGHNESS = 0.03
 _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
 _PLUME = (0.012, 0.060, 0.066)  # light that bubbles below the surface send back
-_BED = (0.21, 0.18, 0.13)  # wet_sand_albedo of shaders/preview/sand.glsl
+WET_SAND = (0.21, 0.18, 0.13)
+"""The linear albedo of wet sand, and of the bed: wet_sand_albedo of shaders/preview/sand.glsl."""
 # The film at the end of a swash: as the ground has it that the water has left.
 _FILM = 0.02  # m
 FILM_ROUGHNESS = 0.12
@@ -77,7 +78,7 @@ def _declare(group) -> None:
     triple(
         "Bed Colour",
         "Color",
-        (*_BED, 1.0),
+        (*WET_SAND, 1.0),
         "Colour of the ground below shallow water, by the attribute depth",
     )
     triple(

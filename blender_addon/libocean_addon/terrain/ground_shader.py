@@ -34,10 +34,9 @@ ALBEDOS = {
     "Dry Grass": (0.19, 0.16, 0.075),
     "Forest": (0.028, 0.042, 0.018),
     "Sand": (0.42, 0.36, 0.26),
-    "Wet Sand": (0.21, 0.18, 0.13),
+    "Wet Sand": water_shader.WET_SAND,
 }
-"""Linear albedos, chosen by eye against photographs of mountains; wet sand has half of dry sand, as
-shaders/preview/sand.glsl has it."""
+"""Linear albedos, chosen by eye against photographs of mountains; wet sand has half of dry sand."""
 
 NOWHERE = 1e5
 """[m] A line so high that nothing lies above it."""

@@ -146,6 +146,16 @@ Frequencies frequencies_of(const Dispersion& dispersion, double shortest, double
                            : std::numeric_limits<double>::infinity()};
 }
 
+/// Returns the place of a direction in a row in memory. Each quarter of the directions is a mirror
+/// image of the first.
+std::size_t place_in_row(std::size_t direction, std::size_t directions) {
+    const std::size_t quarter = directions / 4, half = directions / 2;
+    if (direction <= quarter) return 4 * direction;
+    if (direction < half) return 4 * (half - direction) + 1;
+    if (direction <= half + quarter) return 4 * (direction - half) + 2;
+    return 4 * (directions - direction) + 3;
+}
+
 }  // namespace
 
 double SpectralMoments::significant_wave_height() const {
@@ -178,12 +188,7 @@ std::vector<double> DirectionalSpectrum::row(std::size_t number) const {
     const double* const from = density_.get() + number * row_size(directions_);
     const auto count = static_cast<std::size_t>(directions_);
     std::vector<double> densities(count);
-    for (std::size_t j = 0; j <= count / 4; ++j) {
-        densities[j] = from[4 * j];
-        densities[count / 2 - j] = from[4 * j + 1];
-        densities[count / 2 + j] = from[4 * j + 2];
-        if (j > 0) densities[count - j] = from[4 * j + 3];
-    }
+    for (std::size_t j = 0; j < count; ++j) densities[j] = from[place_in_row(j, count)];
     return densities;
 }
 
@@ -198,16 +203,8 @@ double DirectionalSpectrum::density(double omega, double theta) const {
     const auto j = static_cast<std::size_t>(column);
     const double u = column - static_cast<double>(j);
     const auto width = static_cast<std::size_t>(directions_);
-    // Each quarter of the directions is a mirror image of the first.
-    const auto place = [width](std::size_t direction) {
-        const std::size_t half = width / 2;
-        if (direction <= width / 4) return 4 * direction;
-        if (direction < half) return 4 * (half - direction) + 1;
-        if (direction <= half + width / 4) return 4 * (direction - half) + 2;
-        return 4 * (width - direction) + 3;
-    };
-    const std::size_t left = place(j % width);
-    const std::size_t right = place((j + 1) % width);
+    const std::size_t left = place_in_row(j % width, width);
+    const std::size_t right = place_in_row((j + 1) % width, width);
 
     const double* low = density_.get() + row * row_size(directions_);
     const double* high = low + row_size(directions_);
