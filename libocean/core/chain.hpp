@@ -18,6 +18,7 @@
 #include "ocean/internal/foam.hpp"
 #include "ocean/internal/modes.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/sea.hpp"
 
 namespace ocean {
 
@@ -34,14 +35,23 @@ class Chain {
     /// Has no parameters yet.
     Chain() = default;
 
-    /// Sets the parameters, which must be valid, and dirties the stages that they change.
-    void set_parameters(Parameters parameters, Reuse reuse);
+    /// Sets the parameters, which must be valid, and dirties the stages that they change. passage:
+    /// the states between which the waves are interpolated.
+    void set_parameters(Parameters parameters, std::optional<Passage> passage, Reuse reuse);
     const Parameters& parameters() const { return parameters_; }
 
     // The results are valid until the next set_parameters.
     const DirectionalSpectrum& spectrum(ThreadPool& pool, StageRuns& runs);
     const Modes& modes(ThreadPool& pool, StageRuns& runs);
     bool has_modes() const;
+    /// The waves of both ends of a passage.
+    struct ModesBetween {
+        const Modes& from;
+        const Modes& to;
+        float share;
+    };
+    /// Returns the ends of the passage; none if the waves are not interpolated.
+    std::optional<ModesBetween> modes_between(ThreadPool& pool, StageRuns& runs);
     /// Returns the revision of the result of spectrum().
     const Revision& spectrum_revision() const { return revision(Stage::spectrum); }
     /// Returns the surface settings with the whitecaps' threshold of maps of that resolution.
@@ -60,8 +70,24 @@ class Chain {
     const Revision& revision(Stage stage) const {
         return revisions_[static_cast<std::size_t>(stage)];
     }
+    /// The waves of one set of parameters.
+    struct State {
+        Parameters parameters;
+        SharedValue<Modes> modes;  // with a revision once they are complete
+
+        bool is_made() const { return modes.get() != nullptr && modes.get()->revision; }
+    };
+
     void dirty(Stage first);
-    void make_modes(ThreadPool& pool, StageRuns& runs);
+    /// Makes the waves of parameters of this lattice in `modes`, whose arrays it keeps. Returns the
+    /// gain of the energy of each cascade.
+    std::vector<double> make_modes(const Parameters& parameters,
+                                   const DirectionalSpectrum& spectrum, SharedValue<Modes>& modes,
+                                   ThreadPool& pool, StageRuns& runs);
+    void make_state(const Parameters& parameters, State& state, ThreadPool& pool, StageRuns& runs);
+    /// Returns the modes with the wind and the covariances of this time. Their amplitudes may be
+    /// those of another.
+    const Modes& statistics(ThreadPool& pool, StageRuns& runs);
 
     template <typename T>
     struct Cached {
@@ -70,12 +96,16 @@ class Chain {
     };
 
     Parameters parameters_;
+    std::optional<Passage> passage_;
     Reuse reuse_ = Reuse::static_sea;
     std::array<Revision, kStages> revisions_;
     Cached<std::shared_ptr<const DirectionalSpectrum>> spectrum_;
     std::shared_ptr<const ModeLattice> lattice_;
-    SharedValue<Modes> modes_;   // with their own revision
-    std::vector<double> gains_;  // of the energy of each of their cascades
+    Revision lattice_revision_;
+    SharedValue<Modes> modes_;      // with their own revision
+    Revision statistics_revision_;  // of their wind and covariances, while the waves pass
+    std::array<State, 2> states_;   // of the ends of a passage, in any order
+    std::vector<double> gains_;     // of the energy of each of their cascades
     std::map<int, Cached<SurfaceSettings>> shown_;
     std::map<FoamLattice, Cached<SurfaceSettings>> past_;  // of spread lattices
     std::map<ShownFoam, Cached<double>> cover_powers_;

@@ -112,7 +112,7 @@ void OpenSea::go_to(double time) {
     const bool changed = checked_ != revision_;
     if (!changed && sea_.take.empty()) return;
     if (changed) validate(sea_);
-    chain_->set_parameters(sea_.at(time),
+    chain_->set_parameters(sea_.at(time), sea_.passage(time),
                            sea_.take.empty() ? Chain::Reuse::static_sea : Chain::Reuse::animated);
     checked_ = revision_;
 }
@@ -159,6 +159,15 @@ SeaState OpenSea::state() {
     return state;
 }
 
+MapModes OpenSea::modes_of_map(double time, int resolution) {
+    if (options_.backend.interpolates) {
+        if (const auto between = chain_->modes_between(pool_, runs_)) {
+            return map_modes(between->from, between->to, between->share, time, resolution);
+        }
+    }
+    return map_modes(current_modes(), time, resolution);
+}
+
 void OpenSea::write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                          const FoamLayer& foam) {
     const FoamUse use = foam_use(channels_of(outputs), options_.channels);
@@ -169,7 +178,7 @@ void OpenSea::write_maps(double time, std::span<const MapOutput> outputs, int re
         const ShownFoam map = foam_of_map(sea_.parameters, resolution);
         layer.cover_power = static_cast<float>(chain_->shown_cover_power(map, pool_, runs_));
     }
-    const MapModes modes = map_modes(current_modes(), time, resolution);
+    const MapModes modes = modes_of_map(time, resolution);
     if (maps_->write({modes, settings, outputs, layer}, pool_)) ++runs_.packing;
     ChannelSet& allocated = allocated_[resolution];
     allocated = allocated | channels_of(outputs);

@@ -73,7 +73,7 @@ void OpenSea::write_lattice_foam(double time, const FoamLattice& lattice, const 
     // Maps of all waves and maps of fewer keep other things of the modes.
     if (!foam_maps_) foam_maps_ = std::make_unique<MapWriter>(options_.backend, options_.channels);
     const SurfaceSettings& settings = chain_->past_settings(lattice, pool_, runs_);
-    MapModes modes = map_modes(current_modes(), time, lattice.resolution);
+    MapModes modes = modes_of_map(time, lattice.resolution);
     modes.held_by = lattice.held_by;
     if (foam_maps_->write({modes, settings, {&output, 1}, before}, pool_)) ++runs_.packing;
 }

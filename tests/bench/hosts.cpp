@@ -25,6 +25,9 @@ namespace ocean::bench {
 namespace {
 
 constexpr std::size_t kManyPoints = 100000;
+/// Frames of a knob in motion, which passes a step of the wind or two in them: it makes the waves
+/// of a step at once.
+constexpr int kPlayed = 12;
 
 /// A wind sea that folds nowhere on its grid.
 Parameters host_sea(int n) {
@@ -150,6 +153,7 @@ void host_figures(int n, const TableOptions& options, Report& report) {
     const std::string name = ", N = " + std::to_string(n);
     MapFrame map(parameters);
     MapFrame played(parameters);
+    MapFrame hurried(parameters);
     Ocean asked(parameters, {.threads = 1});
     Ocean asked_coarsely(parameters, {.threads = 1});
     Ocean asked_much(parameters, {.threads = 1});
@@ -165,7 +169,7 @@ void host_figures(int n, const TableOptions& options, Report& report) {
     std::vector<QuerySample> samples(points.size());
     kept.query(0.0, points, samples, {.foam = false});
     map.run(0.0);
-    double played_until = 0.0;
+    double played_until = 0.0, hurried_until = 0.0;
     FoamTicks foam_of_two_sizes(parameters);
     foam_of_two_sizes.tick(n);
     foam_of_two_sizes.tick(n / 2);
@@ -179,10 +183,12 @@ void host_figures(int n, const TableOptions& options, Report& report) {
         [&](double time) { asked_much.query(time, points, samples, {.foam = false}); },
         [&](double) { kept.query(0.0, points, samples, {.foam = false}); },
         [&](double) {
-            played_until += kMinEventSpacing;
-            played.ocean().perform(played_until, "wind_speed",
-                                   std::to_string(10.0 + std::fmod(played_until, 1.0)));
-            played.run(played_until);
+            for (int i = 0; i < kPlayed; ++i) {
+                played_until += kMinEventSpacing;
+                const double wind = 10.0 + std::fmod(played_until, 1.0);
+                played.ocean().perform(played_until, "wind_speed", std::to_string(wind));
+                played.run(played_until);
+            }
         },
         [&](double) { Ocean(map.ocean(), {.threads = 1}); },
         [&](double) { foam_of_two_sizes.tick(n); },
@@ -193,20 +199,27 @@ void host_figures(int n, const TableOptions& options, Report& report) {
         [&](double time) { below.water_motion(time, depths, motions); },
         [&](double time) { huge.run(time); },
         [&](double time) { plain.run(time); },
+        [&](double) {
+            hurried_until += kMinEventSpacing;
+            const bool rises = std::fmod(hurried_until, 1.0) < 0.5;
+            hurried.ocean().perform(hurried_until, "wind_speed", rises ? "30" : "5");
+            hurried.run(hurried_until);
+        },
     };
     const Rounds rounds = measure(frames, options.rounds(State::hot, 1));
     const double frame = median(rounds.seconds[0]);
     report.figure("map frame" + name, simd, 1, 1e3 * frame, "ms");
-    const auto in_frames = [&](const char* what, std::size_t subject) {
-        report.figure(what + (" / map frame" + name), simd, 1, median_ratio(rounds, subject, 0),
-                      "");
+    const auto in_frames = [&](const char* what, std::size_t subject, double times = 1.0) {
+        report.figure(what + (" / map frame" + name), simd, 1,
+                      median_ratio(rounds, subject, 0) / times, "");
     };
     in_frames("a point at a new time", 1);
     in_frames("a point at a new time, of a map a quarter as fine", 2);
     in_frames("100 000 points at a new time", 3);
     report.figure("points a second, of one time" + name, simd, 1,
                   1e-6 * kManyPoints / median(rounds.seconds[4]), "million");
-    in_frames("a performed change and its frame", 5);
+    in_frames("a performed change and its frame", 5, kPlayed);
+    in_frames("a fast performed change and its frame", 12);
     in_frames("a clone", 6);
     in_frames("a tick of foam", 7);
     in_frames("a tick of foam on maps of two sizes, in turn", 8);

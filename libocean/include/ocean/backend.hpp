@@ -60,6 +60,8 @@ struct Backend {
     /// True if the backend writes FoamLayer::kept. Otherwise a tick of foam and the map over it are
     /// two requests.
     bool keeps_foam = false;
+    /// True if the backend reads MapModes::toward. Otherwise it is given interpolated modes.
+    bool interpolates = false;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 

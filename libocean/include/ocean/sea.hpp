@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,13 @@ inline constexpr double kMinEventSpacing = 1.0 / 60.0;
 /// back to the same bits.
 std::string take_line(const TakeEvent& event);
 
+/// Two states of a sea whose waves glide, and how far it has come from one to the other.
+struct Passage {
+    Parameters from;
+    Parameters to;
+    double share = 0.0;  // 0 .. 1
+};
+
 struct Sea {
     Parameters parameters;
     Take take = {};
@@ -66,6 +74,14 @@ struct Sea {
     /// parameter equals its value bit by bit. A pure function of the time, so any frame can be
     /// computed alone.
     Parameters at(double time) const;
+    /// Returns the states that the waves pass between at a time [s]: those of the two nearest steps
+    /// of the number that glides, e.g. of 1.75 % of a wind speed. The amplitudes of the waves are
+    /// interpolated between them, to 1e-3 of the sea's height (3e-3 in light winds), so that a
+    /// glide does not make all waves anew in each frame. None where the waves are those of
+    /// at(time): while they rest, while a number passes a step in less than a fifteenth of a
+    /// second, while several glide or spreadings mix, and for seas of second order. A pure function
+    /// of the time.
+    std::optional<Passage> passage(double time) const;
     /// Returns at(time).surface.foam_lifetime [s], cheaply, for foam that is followed over many
     /// ticks.
     double foam_lifetime(double time) const;

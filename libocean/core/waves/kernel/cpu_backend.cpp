@@ -4,6 +4,7 @@
 // The `cpu` backend; see cpu_backend.hpp.
 #include "waves/kernel/cpu_backend.hpp"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,30 +26,51 @@ class CpuMap {
     explicit CpuMap(SimdLevel (*level)()) : level_(level) {}
     /// Shares the packed modes; the arrays of the transform are not shared.
     CpuMap(const CpuMap& other)
-        : level_(other.level_), packed_(other.packed_), revision_(other.revision_) {}
+        : level_(other.level_), packed_(other.packed_), from_(other.from_) {}
 
     bool write(const MapRequest& request, ThreadPool& pool) {
-        const bool packs = revision_ != request.modes.revision;
-        if (packs) pack(request.modes, pool);
-        if (!kernel_) kernel_.emplace(packed_.share());
-        kernel_->run({request.modes.tau, request.settings, request.outputs, request.foam}, pool);
+        const MapModes& modes = request.modes;
+        const bool passes = !modes.toward.empty();
+        // The next step of a glide begins where the last ended, or ends where it began.
+        const bool turns = packed_[1 - from_].revision == modes.revision ||
+                           (passes && packed_[from_].revision == modes.toward_revision);
+        if (turns) from_ = 1 - from_;
+        Packed& from = packed_[from_];
+        Packed& to = packed_[1 - from_];
+        bool packs = pack(modes, from, pool);
+        if (passes) {
+            MapModes end = modes;
+            end.cascades = modes.toward;
+            end.revision = modes.toward_revision;
+            packs = pack(end, to, pool) || packs;
+        }
+        if (!kernel_) kernel_.emplace(from.modes.share());
+        kernel_->use(from.modes.share(), passes ? to.modes.share() : nullptr, modes.share);
+        kernel_->run({modes.tau, request.settings, request.outputs, request.foam}, pool);
         return packs;
     }
 
   private:
-    void pack(const MapModes& modes, ThreadPool& pool) {
-        revision_ = {};
-        PackedModes* const own = packed_.own();
+    struct Packed {
+        SharedValue<PackedModes> modes;
+        Revision revision;
+    };
+
+    /// Packs modes unless they are. Returns true if they were not.
+    bool pack(const MapModes& modes, Packed& packed, ThreadPool& pool) const {
+        if (packed.revision == modes.revision) return false;
+        packed.revision = {};
+        PackedModes* const own = packed.modes.own();
         if (own == nullptr || !own->refill(modes, pool)) {
-            packed_ = std::make_shared<PackedModes>(modes, pool, level_());
+            packed.modes = std::make_shared<PackedModes>(modes, pool, level_());
         }
-        if (kernel_) kernel_->use(packed_.share());
-        revision_ = modes.revision;
+        packed.revision = modes.revision;
+        return true;
     }
 
     SimdLevel (*level_)();
-    SharedValue<PackedModes> packed_;
-    Revision revision_;  // of the packed modes
+    std::array<Packed, 2> packed_;  // both ends of a passage
+    std::size_t from_ = 0;
     std::optional<MapKernel> kernel_;
 };
 
@@ -80,7 +102,8 @@ std::span<const Backend> kernel_backends() {
                            .makes = kCpuChannels,
                            .start = start,
                            .work_bytes = kernel_bytes,
-                           .keeps_foam = true});
+                           .keeps_foam = true,
+                           .interpolates = true});
         };
         add(avx512, start_kernel_of<avx512>);
         add(avx2, start_kernel_of<avx2>);

@@ -88,6 +88,8 @@ struct FrameTask {
     int size;     // N
     int columns;  // ky < columns may have modes: a multiple of B and of sixteen
     const float* packets;
+    const float* toward;      // packets of the same places; null: none
+    float share;              // of the way from the amplitudes of `packets` to those of `toward`
     const ModeGroup* groups;  // [block of ky][j < B / 2]
     const float* wavenumber;  // [index of kx or ky], rad/m
     const float* twiddle;     // [j < B][k < A]: cosine, sine of 2 pi j k / N

@@ -9,6 +9,8 @@
 
 namespace ocean::OCEAN_KERNEL {
 
+inline constexpr int kLineFloats = 16;  // floats of a cache line
+
 /// Lines are paired over this distance of x for every width: the rounding of a line depends on its
 /// partner, and the bits must not depend on the width. An item of pass two is twice as wide.
 inline constexpr int kPartner = 16;

@@ -215,6 +215,7 @@ bool are_streamed(const KernelFrame& frame, std::span<const MapOutput> outputs, 
 
 struct MapKernel::Impl {
     std::shared_ptr<const PackedModes> modes;
+    std::shared_ptr<const PackedModes> toward;
     const KernelCode& code;
     const CacheSizes caches;
     PageVector<float> wavenumber;
@@ -253,6 +254,13 @@ struct MapKernel::Impl {
         task.groups = packed->groups();
         task.rate_unit = static_cast<float>(kTwoPi * packed->rate_unit());
         modes = std::move(packed);
+        set_toward(nullptr, 0.0f);
+    }
+
+    void set_toward(std::shared_ptr<const PackedModes> packed, float share) {
+        task.toward = packed != nullptr ? packed->packets() : nullptr;
+        task.share = share;
+        toward = std::move(packed);
     }
 
     void begin(const KernelFrame& frame, std::span<const MapOutput> outputs, ThreadPool& pool) {
@@ -351,13 +359,15 @@ MapKernel::~MapKernel() = default;
 MapKernel::MapKernel(MapKernel&&) noexcept = default;
 MapKernel& MapKernel::operator=(MapKernel&&) noexcept = default;
 
-void MapKernel::use(std::shared_ptr<const PackedModes> modes) {
+void MapKernel::use(std::shared_ptr<const PackedModes> modes,
+                    std::shared_ptr<const PackedModes> toward, float share) {
     const bool fits = modes->size() == impl_->task.size && modes->level() == impl_->modes->level();
     if (!fits) {
         *this = MapKernel(std::move(modes), impl_->caches);
-        return;
+    } else if (modes != impl_->modes) {
+        impl_->set_modes(std::move(modes));
     }
-    impl_->set_modes(std::move(modes));
+    impl_->set_toward(std::move(toward), share);
 }
 
 void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {

@@ -40,8 +40,10 @@ class MapKernel {
     /// The sizes of caches change the order of the work, never its bits.
     explicit MapKernel(std::shared_ptr<const PackedModes> modes,
                        const CacheSizes& caches = cache_sizes());
-    /// Switches to other modes of the same resolution and keeps the arrays.
-    void use(std::shared_ptr<const PackedModes> modes);
+    /// Switches to other modes of the same resolution and keeps the arrays. toward: modes of the
+    /// same lattice, towards which the amplitudes are `share` of the way; null: none.
+    void use(std::shared_ptr<const PackedModes> modes,
+             std::shared_ptr<const PackedModes> toward = nullptr, float share = 0.0f);
     ~MapKernel();
     MapKernel(MapKernel&&) noexcept;
     MapKernel& operator=(MapKernel&&) noexcept;

@@ -31,8 +31,6 @@ struct RowSamples {
     OCEAN_INLINE Vec at(int s, int v) const { return load_unaligned(slot[s] + v * kLanes); }
 };
 
-inline constexpr int kLineFloats = 16;  // floats of a cache line
-
 /// Prefetches the earlier foam that this row of the next item reads. Rows are far apart, and
 /// nothing else asks for them in time: a tick of foam would take a third longer. [measured,
 /// AVX-512]

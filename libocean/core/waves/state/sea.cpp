@@ -15,6 +15,7 @@
 #include "ocean/domain.hpp"
 #include "ocean/error.hpp"
 #include "waves/spectrum/wave_system_table.hpp"
+#include "waves/state/passage_steps.hpp"
 
 namespace ocean {
 
@@ -265,6 +266,41 @@ Parameters Sea::at(double time) const {
         }
     }
     return now;
+}
+
+std::optional<Passage> Sea::passage(double time) const {
+    if (take.empty() || parameters.surface.second_order) return std::nullopt;
+    const std::vector<Track> tracks = tracks_of(
+        *this, time, [](const ParameterInfo& info) { return info.dirties == Stage::spectrum; });
+    const Track* gliding = nullptr;
+    double now = 0.0;
+    for (const Track& track : tracks) {
+        if (!is_number(*track.parameter.info)) continue;
+        const double value = number_at(*this, track);
+        if (value == number_of(track.events.back()->value)) continue;
+        if (gliding != nullptr) return std::nullopt;
+        gliding = &track;
+        now = value;
+    }
+    if (gliding == nullptr) return std::nullopt;
+    const ParameterInfo& info = *gliding->parameter.info;
+    const std::optional<PassageSteps> steps = PassageSteps::of(info);
+    if (!steps) return std::nullopt;
+    const double next = glided(path_of(info), now, number_of(gliding->events.back()->value),
+                               left_of_step(PassageSteps::kShortest, gliding->glide));
+    if (steps->between(now, next) > 1.0) return std::nullopt;
+    const PassageSteps::Around around = steps->around(now, info.min, info.max);
+    if (!(around.low < around.high)) return std::nullopt;
+    Passage passage{at(time), {}, (now - around.low) / (around.high - around.low)};
+    const bool mixes_spreadings = passage.from.waves.size() > parameters.waves.size();
+    if (mixes_spreadings) return std::nullopt;
+    for (const WaveSystem& system : passage.from.waves) {
+        if (system.wind_onset > 0.0 && system.wind_onset < 1.0) return std::nullopt;
+    }
+    passage.to = passage.from;
+    assign(passage.from, gliding->parameter, around.low);
+    assign(passage.to, gliding->parameter, around.high);
+    return passage;
 }
 
 double Sea::foam_lifetime(double time) const {

@@ -24,6 +24,14 @@ MapModes map_modes(const Modes& modes, double time, int resolution) {
             modes.binding_limit};
 }
 
+MapModes map_modes(const Modes& from, const Modes& to, float share, double time, int resolution) {
+    MapModes modes = map_modes(from, time, resolution);
+    modes.toward = to.cascades;
+    modes.toward_revision = to.revision;
+    modes.share = share;
+    return modes;
+}
+
 MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int resolution) {
     const CascadeModes& own = modes.cascades[cascade];
     return {{&own, 1},
@@ -65,7 +73,8 @@ constexpr Backend Backend::cpu = {.name = "cpu",
                                   .makes = kCpuChannels,
                                   .start = start_cpu,
                                   .work_bytes = kernel_bytes,
-                                  .keeps_foam = true};
+                                  .keeps_foam = true,
+                                  .interpolates = true};
 constexpr Backend Backend::radix2 = {"radix2", kEveryChannel, start_reference<synthesize_radix2>,
                                      reference_bytes<float>};
 constexpr Backend Backend::dft = {"dft", kEveryChannel, start_reference<synthesize_dft>,

@@ -35,6 +35,11 @@ struct MapModes {
     Revision lattice_revision;
     int held_by = 0;             // resolution of a map that holds the modes; 0: `resolution`
     double binding_limit = 0.0;  // Modes::binding_limit; 0 for a cascade that binds no waves
+    /// Modes of the same lattice, and how far the map's amplitudes are on the way to them. Empty:
+    /// the map's are those of `cascades`.
+    std::span<const CascadeModes> toward = {};
+    Revision toward_revision = {};
+    float share = 0.0f;
 
     double wavenumber_step() const { return kTwoPi / period; }
     /// Returns the stride by which mode (n, m) of a cascade is mode (n, m) * stride of the map.
@@ -56,6 +61,9 @@ struct MapModes {
 
 /// Returns all modes of a sea at a time [s], for a map of `resolution` samples.
 MapModes map_modes(const Modes& modes, double time, int resolution);
+/// Returns the modes that are `share` of the way between those of two states, for a backend that
+/// interpolates.
+MapModes map_modes(const Modes& from, const Modes& to, float share, double time, int resolution);
 /// Returns the modes of one cascade at a time [s], for a map over the cascade's own period.
 MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int resolution);
 

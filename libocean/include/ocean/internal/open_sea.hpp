@@ -37,6 +37,7 @@ namespace ocean {
 class Chain;
 class DetailMaps;
 class MapWriter;
+struct MapModes;
 class Performer;
 class SprayFollower;
 
@@ -111,6 +112,9 @@ class OpenSea {
     void go_to(double time);
     const Parameters& now() const;
     const Modes& current_modes();
+    /// Returns the modes of the chain's time for a map: those of both ends of a passage, if the
+    /// backend interpolates between them.
+    MapModes modes_of_map(double time, int resolution);
     /// Writes maps of the sea at the chain's time, with whitecaps laid over `foam`.
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
