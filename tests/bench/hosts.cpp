@@ -25,9 +25,9 @@ namespace ocean::bench {
 namespace {
 
 constexpr std::size_t kManyPoints = 100000;
-/// Frames of a knob in motion, which passes a step of the wind or two in them: it makes the waves
-/// of a step at once.
-constexpr int kPlayed = 12;
+/// Frames of a knob in motion: a second, in which it passes two or three steps of the wind. The
+/// waves of a step are made at once.
+constexpr int kPlayed = 60;
 
 /// A wind sea that folds nowhere on its grid.
 Parameters host_sea(int n) {

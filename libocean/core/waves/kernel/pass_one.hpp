@@ -69,30 +69,35 @@ OCEAN_INLINE void set_mode(ModeLines<A, kRates>& lines, int side, int i, const f
 /// Floats by which packets are prefetched: 5.6 kB [measured].
 inline constexpr int kPacketsAhead = 1408;
 
-/// Returns the amplitudes of two modes: those of the packet, or, in `between`, interpolated.
-OCEAN_INLINE const float* amplitudes_of(const FrameTask& task, const float* packet,
-                                        float* between) {
-    if (task.toward == nullptr) return packet;
+/// Writes the packets of a group with interpolated amplitudes, and without their rates.
+template <int A>
+void interpolate_group(const FrameTask& task, const ModeGroup& group, int packet_floats,
+                       float* to) {
     constexpr int kAmplitudes = 8 * kLanes;
-    const float* toward = task.toward + (packet - task.packets);
+    const float* from = task.packets + group.first_packet;
+    const float* toward = task.toward + group.first_packet;
     const Vec share(task.share);
-    for (int i = 0; i < kAmplitudes; i += kLanes) {
-        if (i % kLineFloats == 0) __builtin_prefetch(toward + kPacketsAhead + i);
-        const Vec from = load(packet + i);
-        store(between + i, fma(share, load(toward + i) - from, from));
+    for (int i = 0; i < A; ++i) {
+        if ((group.present >> i & 1) == 0) continue;
+        for (int number = 0; number < kAmplitudes; number += kLanes) {
+            if (number % kLineFloats == 0) __builtin_prefetch(toward + kPacketsAhead + number);
+            const Vec first = load(from + number);
+            store(to + number, fma(share, load(toward + number) - first, first));
+        }
+        from += packet_floats;
+        toward += packet_floats;
+        to += packet_floats;
     }
-    return between;
 }
 
 /// Computes the modes of one group: the lines j and B - j along kx, or 0 and B / 2.
+/// packet: the first of the group; amplitude: the same, or as interpolate_group() writes it.
 template <int A, bool kRates>
-void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
-                ModeLines<A, kRates>& lines) {
+void read_modes(const FrameTask& task, const ModeGroup& group, const float* packet,
+                const float* amplitude, bool singles, ModeLines<A, kRates>& lines) {
     constexpr int kAmplitude = 4 * kLanes;
     const PhaseClock clock(task.tau);
     const Vec rate_unit(task.rate_unit);
-    const float* packet = task.packets + group.first_packet;
-    alignas(64) float between[2 * kAmplitude];
     for (int i = 0; i < A; ++i) {
         const int mirror = singles ? i : A - 1 - i;
         if ((group.present >> i & 1) == 0) {
@@ -102,18 +107,19 @@ void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
         }
         const float* rates = packet + 2 * kAmplitude;
         const ModePhase phase = phase_of<kRates>(clock, rate_unit, rates);
-        const float* amplitude = amplitudes_of(task, packet, between);
         set_mode(lines, 0, i, amplitude, phase);
         if (singles) {
             const ModePhase other = phase_of<kRates>(clock, rate_unit, rates + 3 * kLanes);
             set_mode(lines, 1, i, amplitude + kAmplitude, other);
             packet += kSinglesNumbers * kLanes;
+            amplitude += kSinglesNumbers * kLanes;
         } else {
             for (int ahead = 0; ahead < kPairNumbers * kLanes; ahead += kLineFloats) {
                 __builtin_prefetch(packet + kPacketsAhead + ahead);
             }
             set_mode(lines, 1, mirror, amplitude + kAmplitude, phase);
             packet += kPairNumbers * kLanes;
+            amplitude += kPairNumbers * kLanes;
         }
     }
 }
@@ -257,9 +263,18 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
 template <int A, int B, bool kRates>
 void pass_one(const FrameTask& task, int block, float* scratch) {
     ModeLines<A, kRates> lines;
+    alignas(64) float between[A * kSinglesNumbers * kLanes];
     const Vec ky = load(task.wavenumber + block * kLanes);
     for (int j = 0; j < B / 2; ++j) {
-        read_modes(task, task.groups[block * (B / 2) + j], j == 0, lines);
+        const ModeGroup& group = task.groups[block * (B / 2) + j];
+        const float* packet = task.packets + group.first_packet;
+        const float* amplitude = packet;
+        if (task.toward != nullptr) {
+            const int numbers = j == 0 ? kSinglesNumbers : kPairNumbers;
+            interpolate_group<A>(task, group, numbers * kLanes, between);
+            amplitude = between;
+        }
+        read_modes(task, group, packet, amplitude, j == 0, lines);
         sweep_group<A>(task, B, j, ky, group_lines(lines), scratch);
     }
     const NextPackets next = next_packets<B>(task, block, scratch);
