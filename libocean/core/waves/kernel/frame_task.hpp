@@ -134,6 +134,10 @@ struct FrameTask {
     bool needs_jacobian;  // for its own channel, whitecaps, foam or cover
 };
 
+/// Sets the strides of the intermediate values for kernels of `lanes` lanes: from the size, the
+/// columns and the number of sources.
+void lay_out(FrameTask& task, int lanes);
+
 /// Linear fields that exist as planes. plane[field] is null or points to the first row of the map;
 /// rows lie row_stride floats apart.
 struct PlanarFields {

@@ -171,18 +171,6 @@ class Plan {
     FrameTask& task_;
 };
 
-/// Sets the strides of the intermediate values.
-void lay_out(FrameTask& task, int lanes) {
-    const auto width = static_cast<std::size_t>(lanes);
-    const int b = task.size / first_factor(task.size);
-    const auto rows = static_cast<std::size_t>(task.columns / b);
-    // Odd in cache lines, so that neither step is a multiple of the cache's sets.
-    task.line_stride = rows * 8 * width + 2 * width;
-    task.source_stride = task.line_stride * static_cast<std::size_t>(b / 2);
-    task.pair_stride =
-        task.source_stride * static_cast<std::size_t>(task.source_count) + 16 * width;
-}
-
 /// Returns true if displacements are negligible in the precision of the kernel.
 bool is_flat(const KernelFrame& frame) {
     return static_cast<float>(frame.settings.choppiness) == 0.0f;
@@ -212,6 +200,20 @@ bool are_streamed(const KernelFrame& frame, std::span<const MapOutput> outputs, 
 }
 
 }  // namespace
+
+void lay_out(FrameTask& task, int lanes) {
+    const auto width = static_cast<std::size_t>(lanes);
+    const int b = task.size / first_factor(task.size);
+    const auto rows = static_cast<std::size_t>(task.columns / b);
+    // Odd in values of all lanes, so that the step is not a multiple of the cache's sets.
+    task.line_stride = rows * 8 * width + 2 * width;
+    task.source_stride = task.line_stride * static_cast<std::size_t>(b / 2);
+    // A multiple of 4 KiB, over which a first cache repeats its sets, and a pad that spreads the
+    // stores of a group of pass one evenly over them, whatever the number of sources.
+    const std::size_t sources = task.source_stride * static_cast<std::size_t>(task.source_count);
+    const std::size_t pad = std::max(width * width / 2, std::size_t{16});
+    task.pair_stride = (sources + 1023) / 1024 * 1024 + pad;
+}
 
 struct MapKernel::Impl {
     std::shared_ptr<const PackedModes> modes;

@@ -226,13 +226,13 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
     }
     const std::uint8_t* strips = task.strips;
     for (int group = 0; group < A / kLanes; ++group) {
-        // x = k + A m with k in this group lies in block (A / kLanes) m + group.
-        const auto block_of = [=](int m) OCEAN_INLINE_LAMBDA { return A / kLanes * m + group; };
+        const auto block_of = [=](int m)
+                                  OCEAN_INLINE_LAMBDA { return Sweep<A>::block_of(group, m); };
         const auto target = [&](int m) OCEAN_INLINE_LAMBDA {
             return task.intermediate + Intermediate<B>::x_block(task, block_of(m));
         };
         const auto is_wanted = [=](int m) OCEAN_INLINE_LAMBDA {
-            return strips == nullptr || strips[item_of(block_of(m))] != 0;
+            return strips == nullptr || strips[Layout::item_of(block_of(m))] != 0;
         };
         for (int k = 0; k < kLanes; ++k) {
             const float* in = lines + (group * kLanes + k) * 2 * kLanes;
