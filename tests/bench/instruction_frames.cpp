@@ -7,7 +7,7 @@
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
-#include <cstring>
+#include <string_view>
 #include <vector>
 
 #include "ocean/internal/directional_spectrum.hpp"
@@ -26,16 +26,19 @@ namespace {
 using namespace ocean;
 using enum Channel;
 
-constexpr int kResolution = 256;
-/// Beside this map as large as 512 KiB and 8 MiB are beside one of 1024 x 1024 samples.
-constexpr CacheSizes kCaches{std::size_t{32} << 10, std::size_t{512} << 10};
+constexpr int kSmall = 256;
+/// Beside the small map as large as 512 KiB and 8 MiB are beside one of 1024 x 1024 samples.
+constexpr CacheSizes kSmallCaches{std::size_t{32} << 10, std::size_t{512} << 10};
+constexpr int kLarge = 512;
+constexpr CacheSizes kLargeCaches{std::size_t{2} << 20, std::size_t{32} << 20};
 constexpr int kLineBytes = 64;
 
 class Maps {
   public:
+    explicit Maps(std::size_t samples) : samples_(samples) {}
     /// A map for all these, interleaved.
     void add(std::initializer_list<Quantity> quantities, float factor = 1.0f) {
-        auto& data = data_.emplace_back(std::size_t{kResolution} * kResolution * quantities.size());
+        auto& data = data_.emplace_back(samples_ * quantities.size());
         MapOutput output{data.data(), static_cast<int>(quantities.size()), {}};
         std::size_t c = 0;
         for (const Quantity& quantity : quantities) output.component[c++] = {quantity, factor};
@@ -44,6 +47,7 @@ class Maps {
     std::span<const MapOutput> outputs() const { return outputs_; }
 
   private:
+    std::size_t samples_;
     std::vector<PageVector<float>> data_;  // aligned, as fast buffers are
     std::vector<MapOutput> outputs_;
 };
@@ -59,69 +63,109 @@ void count(const char* name, const Body& body) {
     CALLGRIND_DUMP_STATS_AT(name);
 }
 
-}  // namespace
+/// The frames of one sea, on one thread.
+class Frames {
+  public:
+    Frames(const Parameters& parameters, const CacheSizes& caches, ThreadPool& pool)
+        : pool_(pool),
+          modes_(make_modes(make_directional_spectrum(parameters), parameters, pool)),
+          kernel_(pack_modes(map_modes(modes_, 0.0, resolution()), pool), caches),
+          choppy_(with_threshold(parameters.surface, modes_, resolution())) {}
 
-int main(int argc, char** argv) {
-    if (argc == 2 && std::strcmp(argv[1], "--build") == 0) {
-        std::puts(OCEAN_BENCH_BUILD);
-        return 0;
+    int resolution() const { return modes_.lattice.resolution; }
+    std::size_t samples() const { return modes_.lattice.size(); }
+    SurfaceSettings flat() const {
+        SurfaceSettings settings = choppy_;
+        settings.choppiness = 0.0;
+        return settings;
     }
-    Parameters parameters;
-    parameters.grid.resolution = kResolution;
-    ThreadPool pool(1);
-    Modes modes;
-    count("rebuild",
-          [&] { modes = make_modes(make_directional_spectrum(parameters), parameters, pool); });
 
-    // A performed change: other waves of the same lattice, packed for the same map.
+    void count_frame(const char* name, const Maps& maps, const SurfaceSettings& settings,
+                     int sources, const FoamLayer& foam = {}) {
+        count(name, [&] {
+            kernel_.run({modes_.tau(12.34), settings, maps.outputs(), foam}, pool_);
+        });
+        int floats = foam.kept != nullptr ? 2 : 0;  // the foam before, and what is kept
+        for (const MapOutput& output : maps.outputs()) floats += output.components;
+        const bench::PassTraffic traffic = bench::pass_traffic(resolution(), sources, floats);
+        std::printf("%s %.0f\n", name, (traffic.one + traffic.two) / kLineBytes);
+    }
+
+    /// Counts the frames whose data between the passes is largest.
+    void count_flat_frames(const char* vertices_name, const char* planar_name) {
+        using enum Linear;
+        Maps vertices(samples());
+        vertices.add({displacement_x, displacement_y, Linear::height}, -1.0f);
+        vertices.add({nx, ny, nz});
+        Maps planar(samples());
+        for (const Linear field : {Linear::height, displacement_x, displacement_y, Linear::slope_x,
+                                   Linear::slope_y, gradient_xx, gradient_yy, gradient_xy}) {
+            planar.add({field});
+        }
+        count_frame(vertices_name, vertices, flat(), 4);
+        count_frame(planar_name, planar, flat(), 5);
+    }
+
+    void count_choppy_frames() {
+        Maps map(samples());
+        map.add({dx, dy, Channel::height});
+        Maps tick(samples());
+        tick.add({foam});
+        Maps product(samples());
+        product.add({dx, dy, Channel::height});
+        product.add({nx, ny, nz});
+        product.add({whitecap});
+        count_frame("product", product, choppy_, 5);
+        count_frame("map", map, choppy_, 3);
+        PageVector<float> before(samples(), 0.5f), kept(samples());
+        FoamLayer layer{.map = before.data(), .fade = 0.99f, .cutoff = 1.0f / 512.0f};
+        layer.kept = kept.data();
+        count_frame("tick", tick, choppy_, 3, layer);
+    }
+
+  private:
+    ThreadPool& pool_;
+    Modes modes_;
+    MapKernel kernel_;
+    SurfaceSettings choppy_;
+};
+
+/// Counts the modes of a sea, and a performed change: other waves of the same lattice, packed for
+/// the same map.
+void count_modes(const Parameters& parameters, ThreadPool& pool) {
+    count("rebuild", [&] { make_modes(make_directional_spectrum(parameters), parameters, pool); });
     const ModeLattice lattice(parameters, ModeLattice::Memory::keep, pool);
     Modes live = lattice.still_modes(pool);
     live.lattice_revision = Revision::begin();
-    PackedModes packed(map_modes(live, 0.0, kResolution), pool, simd_level());
+    const int resolution = parameters.grid.resolution;
+    PackedModes packed(map_modes(live, 0.0, resolution), pool, simd_level());
     Parameters windy = parameters;
     count("change", [&] {
         windy.waves.front().wind_speed = windy.waves.front().wind() + 0.1;
         lattice.set_waves(make_directional_spectrum(windy, pool), windy.waves.front().wind(), pool,
                           live);
-        packed.refill(map_modes(live, 0.0, kResolution), pool);
+        packed.refill(map_modes(live, 0.0, resolution), pool);
     });
+}
 
-    using enum Linear;
-    const std::vector<Linear> fields = {Linear::height,  displacement_x,  displacement_y,
-                                        Linear::slope_x, Linear::slope_y, gradient_xx,
-                                        gradient_yy,     gradient_xy};
-    MapKernel kernel(pack_modes(map_modes(modes, 0.0, kResolution), pool), kCaches);
-    const SurfaceSettings choppy = with_threshold(parameters.surface, modes, kResolution);
-    SurfaceSettings flat = choppy;
-    flat.choppiness = 0.0;
+}  // namespace
 
-    Maps vertices;
-    vertices.add({displacement_x, displacement_y, Linear::height}, -1.0f);
-    vertices.add({nx, ny, nz});
-    Maps planar;
-    for (const Linear field : fields) planar.add({field});
-    Maps map;
-    map.add({dx, dy, Channel::height});
-    Maps tick;
-    tick.add({foam});
-    PageVector<float> before(modes.lattice.size(), 0.5f), kept(modes.lattice.size());
-    Maps product;
-    product.add({dx, dy, Channel::height});
-    product.add({nx, ny, nz});
-    product.add({whitecap});
-    const auto frame = [&](const char* name, const Maps& maps, const SurfaceSettings& settings,
-                           int sources, const FoamLayer& foam = {}) {
-        count(name, [&] { kernel.run({modes.tau(12.34), settings, maps.outputs(), foam}, pool); });
-        int floats = foam.kept != nullptr ? 2 : 0;  // the foam before, and what is kept
-        for (const MapOutput& output : maps.outputs()) floats += output.components;
-        const bench::PassTraffic traffic = bench::pass_traffic(kResolution, sources, floats);
-        std::printf("%s %.0f\n", name, (traffic.one + traffic.two) / kLineBytes);
-    };
-    frame("vertices", vertices, flat, 4);
-    frame("planar", planar, flat, 5);
-    frame("product", product, choppy, 5);
-    frame("map", map, choppy, 3);
-    FoamLayer layer{.map = before.data(), .fade = 0.99f, .cutoff = 1.0f / 512.0f};
-    layer.kept = kept.data();
-    frame("tick", tick, choppy, 3, layer);
+int main(int argc, char** argv) {
+    const std::string_view argument = argc == 2 ? argv[1] : "";
+    if (argument == "--build") {
+        std::puts(OCEAN_BENCH_BUILD);
+        return 0;
+    }
+    ThreadPool pool(1);
+    Parameters parameters;
+    if (argument == "large") {
+        parameters.grid.resolution = kLarge;
+        Frames(parameters, kLargeCaches, pool).count_flat_frames("vertices_512", "planar_512");
+        return 0;
+    }
+    parameters.grid.resolution = kSmall;
+    count_modes(parameters, pool);
+    Frames frames(parameters, kSmallCaches, pool);
+    frames.count_flat_frames("vertices", "planar");
+    frames.count_choppy_frames();
 }
