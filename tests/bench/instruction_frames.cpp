@@ -14,6 +14,7 @@
 #include "ocean/internal/foam.hpp"
 #include "ocean/internal/map_request.hpp"
 #include "ocean/internal/platform.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
 #include "pass_traffic.hpp"
@@ -148,6 +149,18 @@ void count_modes(const Parameters& parameters, ThreadPool& pool) {
     });
 }
 
+/// Counts a map of a sea whose wind glides, between two steps of it.
+void count_passage(const Parameters& parameters) {
+    Sea sea{parameters};
+    sea.parameters.waves.front().wind_speed = 10.0;
+    sea.take.events = {{0.0, find_parameter("wind_speed"), 10.1}};
+    Ocean ocean(std::move(sea), {.threads = 1});
+    Maps map(parameters.grid.resolution * static_cast<std::size_t>(parameters.grid.resolution));
+    map.add({dx, dy, Channel::height});
+    double time = 0.0;
+    count("passage", [&] { ocean.evaluate_into(time += 1.0 / 60.0, map.outputs()); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -168,4 +181,5 @@ int main(int argc, char** argv) {
     Frames frames(parameters, kSmallCaches, pool);
     frames.count_flat_frames("vertices", "planar");
     frames.count_choppy_frames();
+    count_passage(parameters);
 }
