@@ -223,7 +223,7 @@ TEST(Sheet, HasTheDerivativesOfItsJets) {
 constexpr double kSlope = 1.0 / 15.0;
 constexpr double kShore = kOffshore / kSlope + 40.0;  // x of the line of still water [m]
 
-Parameters beach_sea(double loop = 0.0, Swash swash = Swash::on) {
+Parameters swash_sea(double loop = 0.0, Swash swash = Swash::on) {
     Parameters parameters = wind_sea(9.0, 8e4, 270.0);
     parameters.time.loop_period = loop;
     parameters.water.shore.swash = swash;
@@ -241,7 +241,7 @@ constexpr Channel kDepth = channel_of(LandMask::depth);
 constexpr Channel kWetness = channel_of(LandMask::wetness);
 
 TEST(Swash, SurfaceHasNoCliffAndADryPartUnderTheSand) {
-    Ocean ocean(beach_sea());
+    Ocean ocean(swash_sea());
     constexpr double kCell = 0.5;
     const Domain domain = swash_domain(kCell);
     bool wet_land = false, dry_land = false;
@@ -268,7 +268,7 @@ TEST(Swash, SurfaceHasNoCliffAndADryPartUnderTheSand) {
 }
 
 TEST(Swash, WithoutItTheSurfaceEndsAtTheLineOfStillWater) {
-    Ocean ocean(beach_sea(0.0, Swash::off));
+    Ocean ocean(swash_sea(0.0, Swash::off));
     const Domain domain = swash_domain(1.0);
     for (const double time : {4.0, 9.0}) {
         const Surface map = ocean.region(time, domain, {kDepth, kWetness});
@@ -288,7 +288,7 @@ TEST(Swash, WithoutItTheSurfaceEndsAtTheLineOfStillWater) {
 }
 
 TEST(Wetness, FadesFromTheLastRunUpAndNeverExceedsOne) {
-    Ocean ocean(beach_sea(24.0));
+    Ocean ocean(swash_sea(24.0));
     const Domain domain = swash_domain(2.0);
     std::vector<float> before;
     int fading = 0, covered = 0;
@@ -317,8 +317,8 @@ TEST(Wetness, FadesFromTheLastRunUpAndNeverExceedsOne) {
 TEST(Wetness, ClosesItsLoopAndHasTheSameBitsForAnyNumberOfThreads) {
     const Domain domain = swash_domain(2.0);
     const ChannelSet channels = {kWetness, kDepth, Channel::foam};
-    Ocean one(beach_sea(8.0), {.threads = 1});
-    Ocean three(beach_sea(8.0), {.threads = 3});
+    Ocean one(swash_sea(8.0), {.threads = 1});
+    Ocean three(swash_sea(8.0), {.threads = 3});
     const Surface map = one.region(5.5, domain, channels);
     EXPECT_TRUE(test::same_bits(three.region(13.5, domain, channels), map));
     EXPECT_TRUE(test::same_bits(three.region(5.5, domain, channels), map));
@@ -329,7 +329,7 @@ TEST(Wetness, SandIsDampUpToTheTwoPercentRunUp) {
     EXPECT_GT(damp_of(1.0f, 1.2f), 0.0f);
     EXPECT_EQ(damp_of(1.2f, 1.2f), 0.0f);
     EXPECT_EQ(damp_of(0.0f, 0.0f), 0.0f) << "no waves, no damp sand";
-    Ocean ocean(beach_sea(8.0));
+    Ocean ocean(swash_sea(8.0));
     const Domain domain = swash_domain(2.0);
     const Surface map = ocean.region(3.0, domain, kWetness);
     // Hs 1.62 m, Tp 5.4 s: sqrt(H0 L0) = 8.6 m, of which directions off the shore lose a little.
@@ -352,7 +352,7 @@ TEST(Wetness, FoamMarksTheWaterLine) {
     EXPECT_EQ(tip_foam(-0.01f, 0.1f, 1.0f), 0.0f);
     EXPECT_GT(tip_foam(0.06f, 0.1f, 1.0f), 0.7f);
     EXPECT_EQ(tip_foam(0.25f, 0.1f, 1.0f), 0.0f);
-    Ocean ocean(beach_sea());
+    Ocean ocean(swash_sea());
     const Domain domain = swash_domain(1.0);
     const Surface map = ocean.region(9.0, domain, {kDepth, channel_of(LandMask::breaking)});
     int marked = 0;

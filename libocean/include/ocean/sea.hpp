@@ -78,7 +78,7 @@ struct Sea {
     /// of the number that glides, e.g. of 1.75 % of a wind speed. The amplitudes of the waves are
     /// interpolated between them, to 1e-3 of the sea's height (3e-3 in light winds), so that a
     /// glide does not make all waves anew in each frame. None where the waves are those of
-    /// at(time): while they rest, while a number passes a step in less than a fifteenth of a
+    /// at(time): while they rest, while a number passes a step in less than a tenth of a
     /// second, while several glide or spreadings mix, and for seas of second order. A pure function
     /// of the time.
     std::optional<Passage> passage(double time) const;

@@ -18,8 +18,8 @@ class PassageSteps {
     /// Passage.KeepsTheSurfaceToAThousandthAndInLightWindsToThree.
     static std::optional<PassageSteps> of(const ParameterInfo& info);
 
-    /// A glide that passes a step sooner [s] would make two states for few frames: four of 60 Hz.
-    static constexpr double kShortest = 1.0 / 15.0;
+    /// A glide that passes a step sooner [s] would make two states for few frames or ticks of foam.
+    static constexpr double kShortest = 0.1;
 
     /// Returns the distance of two values in steps; of directions the short way round.
     double between(double a, double b) const;
