@@ -32,9 +32,10 @@ OCEAN_INLINE void transpose_quads(const Vec (&a)[4], Vec (&out)[4]) {
 
 /// Transposes kLanes complex vectors, stored as [re | im], into one complex vector per lane: lane l
 /// goes to out + place[l]. Row 4 q + r is loaded into quad q, so that only the 4 x 4 transposes
-/// within the quads remain.
+/// within the quads remain. Not inlined: a frame has 0.3 % more instructions, and the kernel builds
+/// in 4 % less time. [measured]
 template <bool kStream>
-OCEAN_INLINE void transpose(const float* in, float* out, const std::size_t* place) {
+[[gnu::noinline]] void transpose(const float* in, float* out, const std::size_t* place) {
     constexpr std::size_t kRow = 2 * kLanes;
     for (int column = 0; column < kLanes; column += 4) {
         Vec part[2][4];
