@@ -145,25 +145,25 @@ OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, co
         store);
 }
 
-/// Writes outputs that are planes of one field: whole rows of an item at once, which are full cache
-/// lines.
+/// Writes an output that is a plane of one field: whole rows of an item at once, which are full
+/// cache lines. One plane after the other: the rows of one k lie in few sets of the caches, and
+/// those of several planes together would drive each other out. [measured, Zen 5, eight planes:
+/// N = 256 with AVX-512 0.25 to 0.17 ms a frame, N = 1024 with AVX2 6.2 to 5.8 ms]
 template <int A, int B>
-void write_direct_planes(const FrameTask& task, int k, int x0, const float* scratch,
-                         std::size_t pair_floats, const NextEntries<A, B>& next) {
-    for (int d = 0; d < task.direct_count; ++d) {
-        const DirectPlane& plane = task.direct[d];
-        const float* field = scratch + plane.slot * B * Sweep<A>::kLine;
+void write_direct_plane(const DirectPlane& plane, bool streams, int x0, const float* scratch,
+                        std::size_t pair_floats, const NextEntries<A, B>& next) {
+    const float* field = scratch + plane.slot * B * Sweep<A>::kLine;
+    const std::size_t step = A * plane.row_pitch;
+    const Vec factor(plane.factor);
+    const auto put = [streams](float* to, Vec x) OCEAN_INLINE_LAMBDA {
+        if (streams) {
+            stream(to, x);
+        } else {
+            store(to, x);
+        }
+    };
+    for (int k = 0; k < A; ++k) {
         float* out = plane.data + static_cast<std::size_t>(k) * plane.row_pitch + x0;
-        const std::size_t step = A * plane.row_pitch;
-        const Vec factor(plane.factor);
-        const bool streams = task.stream_outputs;
-        const auto put = [streams](float* to, Vec x) OCEAN_INLINE_LAMBDA {
-            if (streams) {
-                stream(to, x);
-            } else {
-                store(to, x);
-            }
-        };
         if constexpr (kPairs == 1) {
             const float* ahead = next.share(k, plane.slot, 0);
             sweep_samples<A, B>(field, k, ahead, [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
@@ -267,11 +267,14 @@ void pass_two(const FrameTask& task, int item, float* scratch) {
     const NextEntries<A, B> next(task, item, scratch);
     const int x0 = item * kItemWidth;
     CombinedOutputs<A, B> combined(task, x0, scratch + kPairs * pair_floats);
-    for (int k = 0; k < A; ++k) {
-        write_direct_planes<A, B>(task, k, x0, scratch, pair_floats, next);
-        if (task.output_count > 0) combined.advance(k, scratch, pair_floats, next);
+    for (int d = 0; d < task.direct_count; ++d) {
+        write_direct_plane<A, B>(task.direct[d], task.stream_outputs, x0, scratch, pair_floats,
+                                 next);
     }
-    if (task.output_count > 0) combined.finish();
+    if (task.output_count > 0) {
+        for (int k = 0; k < A; ++k) combined.advance(k, scratch, pair_floats, next);
+        combined.finish();
+    }
     finish_streams();
 }
 
