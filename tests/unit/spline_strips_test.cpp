@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The strips for which pass one runs, and no others: storing all of them is a quarter of what a
-// point at a new time costs.
+// The strips for which pass one runs, and that a point reads, and no others: storing all of them is
+// a quarter of what a point at a new time costs, and making three too many a third.
 #include "waves/query/spline_strips.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
+#include "waves/query/query_folds.hpp"
 #include "waves/query/spline_map.hpp"
 
 namespace ocean {
@@ -51,6 +53,31 @@ TEST(SplineStrips, SweepThoseOfTheFirstRequestAndOfTheTimeBeforeAndThenAllOthers
     begin(4.0);
     strips.sweep_all(pool);
     EXPECT_EQ(swept(), "01234567");
+}
+
+TEST(FoldIndex, ReadsTheStripsNearABlockOfPointsThatItsLabelsReach) {
+    ThreadPool pool(1);
+    const int size = 512;
+    const double period = 512.0;  // a label each metre
+    const SplineMap map({size, period}, pool);
+    FoldIndex folds(period, size, pool);
+    const auto strips_of = [&](double reach, WorldPoint point) {
+        folds.begin(1.0, reach);
+        std::set<int> strips;
+        folds.each_column(map, folds.block_of(point.x, point.y), FoldIndex::kBlock,
+                          [&](int column) { strips.insert(column / FoldIndex::kBlock); });
+        return strips;
+    };
+    using Strips = std::set<int>;
+    for (const double reach : {0.0, 7.0, 14.0}) {
+        EXPECT_EQ(strips_of(reach, {170.0, 3.0}), (Strips{4, 5, 6})) << reach;
+        EXPECT_EQ(strips_of(reach, {1.0, 500.0}), (Strips{0, 1, 15})) << reach;
+    }
+    for (const double reach : {20.0, 30.0}) {
+        EXPECT_EQ(strips_of(reach, {170.0, 3.0}), (Strips{3, 4, 5, 6, 7})) << reach;
+    }
+    EXPECT_EQ(strips_of(40.0, {170.0, 3.0}), (Strips{2, 3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(strips_of(400.0, {170.0, 3.0}).size(), 16u);
 }
 
 }  // namespace

@@ -27,9 +27,10 @@ class LazyTiles {
         return ready_[static_cast<std::size_t>(tile)].load(std::memory_order_acquire);
     }
     void clear() {
-        for (int tile = 0; tile < count_; ++tile) {
+        for (const int tile : made_) {
             ready_[static_cast<std::size_t>(tile)].store(false, std::memory_order_relaxed);
         }
+        made_.clear();
     }
 
     /// Calls body(tile, thread) for each of the `wanted` tiles that is not ready, on the threads of
@@ -45,6 +46,7 @@ class LazyTiles {
             body(tile, thread);
             ready_[static_cast<std::size_t>(tile)].store(true, std::memory_order_release);
         };
+        made_.insert(made_.end(), missing.begin(), missing.end());
         const int count = static_cast<int>(missing.size());
         if (pool != nullptr) {
             pool->for_each_item(count, make_one);
@@ -56,6 +58,7 @@ class LazyTiles {
   private:
     std::unique_ptr<std::atomic<bool>[]> ready_;
     int count_;
+    std::vector<int> made_;  // all that may be ready
 };
 
 /// A set of tiles, in the order in which they were added.

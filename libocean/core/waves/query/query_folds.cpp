@@ -27,8 +27,9 @@ FoldIndex::FoldIndex(double period, int resolution, ThreadPool& pool)
     : lattice_{resolution, period},
       tiles_(resolution / kCellsPerTile),
       across_(resolution / kBlock),
-      labels_(across_ * across_),
-      measured_(across_ * across_),
+      patches_(resolution / kPatch),
+      labels_(patches_ * patches_),
+      measured_(patches_ * patches_),
       places_(across_ * across_),
       offset_(lattice_.size()),
       jacobian_(lattice_.size()),
@@ -46,22 +47,26 @@ void FoldIndex::begin(double choppiness, double reach) {
     places_.clear();
 }
 
-FoldIndex::LabelBlocks FoldIndex::labels_of(int place) const {
+FoldIndex::CellRange FoldIndex::labels_of(int place) const {
     const double reach = reach_ / lattice_.period * lattice_.resolution;
     const double blocks = std::ceil((reach + 1.0) / kBlock);
-    if (!(2.0 * blocks + 2.0 < across_)) return {0, across_, across_};
-    const int away = static_cast<int>(blocks);
-    return {place - away, 2 * away + 2, 2 * away + 1};
+    if (!(2.0 * blocks + 2.0 < across_)) return {0, lattice_.resolution};
+    // The corners of a cell lie within reach, so its box spans at most twice the reach and a cell.
+    const double box = reach + 1.0 + kMargin * (2.0 * reach + 2.0);
+    const int away = static_cast<int>(std::min(std::ceil(box / kPatch) * kPatch, blocks * kBlock));
+    return {place * kBlock - away, (place + 1) * kBlock + away};
 }
 
 template <typename Visit>
-void FoldIndex::each_label_block(int place, int LabelBlocks::*count, const Visit& visit) const {
-    const LabelBlocks along_x = labels_of(place % across_);
-    const LabelBlocks along_y = labels_of(place / across_);
-    const int mask = across_ - 1;
-    for (int j = 0; j < along_y.*count; ++j) {
-        for (int i = 0; i < along_x.*count; ++i) {
-            visit(((along_y.first + j) & mask) * across_ + ((along_x.first + i) & mask));
+void FoldIndex::each_square(const CellBox& box, int size, const Visit& visit) const {
+    const CellRange columns = box.x.in_squares(size);
+    const CellRange rows = box.y.in_squares(size);
+    const int mask = lattice_.resolution / size - 1;
+    for (int j = rows.first; j < rows.end; ++j) {
+        for (int i = columns.first; i < columns.end; ++i) {
+            visit(i & mask, j & mask,
+                  CellBox{box.x.within(i * size, (i + 1) * size),
+                          box.y.within(j * size, (j + 1) * size)});
         }
     }
 }
@@ -73,32 +78,32 @@ void FoldIndex::make(const SplineMap& map, std::span<const int> blocks, ThreadPo
         return;
     }
     TileSet labels(labels_.count());
+    TileSet cells(measured_.count());
     for (const int place : blocks) {
-        each_label_block(place, &LabelBlocks::count, [&](int block) { labels.add(block); });
+        const CellBox shown = labels_around(place);
+        each_square(shown.with_corners(), kPatch,
+                    [&](int i, int j, const CellBox&) { labels.add(j * patches_ + i); });
+        each_square(shown, kPatch,
+                    [&](int i, int j, const CellBox&) { cells.add(j * patches_ + i); });
     }
-    labels_.make(labels.list(), pool, [&](int block, int) { place_samples(map, block); });
-    TileSet cells(labels_.count());
-    for (const int place : blocks) {
-        each_label_block(place, &LabelBlocks::cells, [&](int block) { cells.add(block); });
-    }
-    measured_.make(cells.list(), pool, [&](int block, int) { measure_cells(block); });
+    labels_.make(labels.list(), pool, [&](int patch, int) { place_samples(map, patch); });
+    measured_.make(cells.list(), pool, [&](int patch, int) { measure_cells(patch); });
     places_.make(blocks, pool, [&](int block, int) { list_cells(block); });
 }
 
 template <typename Visit>
-void FoldIndex::each_sample(int block, const Visit& visit) const {
-    const int first_i = block % across_ * kBlock;
-    const int first_j = block / across_ * kBlock;
-    for (int j = first_j; j < first_j + kBlock; ++j) {
-        for (int i = first_i; i < first_i + kBlock; ++i) visit(i, j);
+void FoldIndex::each_sample(const CellBox& box, const Visit& visit) {
+    for (int j = box.y.first; j < box.y.end; ++j) {
+        for (int i = box.x.first; i < box.x.end; ++i) visit(i, j);
     }
 }
 
-/// Computes the offsets and Jacobians of the samples of one block of labels.
-void FoldIndex::place_samples(const SplineMap& map, int block) {
+/// Computes the offsets and Jacobians of the samples of one patch, which ends at the first corner
+/// of the patch of cells of its number: the cells of a box need few samples beyond it.
+void FoldIndex::place_samples(const SplineMap& map, int patch) {
     const int step = map.lattice().resolution / lattice_.resolution;
     const auto c = static_cast<float>(choppiness_);
-    each_sample(block, [&](int i, int j) {
+    each_sample(square_at(patch, kFirstSample), [&](int i, int j) {
         const SplineJet jet = map.jet_of_sample(i * step, j * step);
         const std::size_t at = sample_at(i, j);
         offset_[at] = {c * jet.value[0], c * jet.value[1]};
@@ -107,13 +112,13 @@ void FoldIndex::place_samples(const SplineMap& map, int block) {
     });
 }
 
-/// Measures a block: the max span of its cells along an axis, and where the compressed ones are
+/// Measures a patch: the max span of its cells along an axis, and where the compressed ones are
 /// displayed.
-void FoldIndex::measure_cells(int block) {
-    Measured& measured = cells_of_[static_cast<std::size_t>(block)];
+void FoldIndex::measure_cells(int patch) {
+    Measured& measured = cells_of_[static_cast<std::size_t>(patch)];
     measured.widest = 0.0f;
     measured.squeezed.clear();
-    each_sample(block, [&](int i, int j) {
+    each_sample(square_at(patch, 0), [&](int i, int j) {
         const std::size_t corners[] = {sample_at(i, j), sample_at(i + 1, j), sample_at(i, j + 1),
                                        sample_at(i + 1, j + 1)};
         const Offset first = offset_[corners[0]];
@@ -128,27 +133,20 @@ void FoldIndex::measure_cells(int block) {
     });
 }
 
-/// Returns the box of the first corner of a cell of a block of labels, if any part of the cell is
-/// displayed in the tiles `tiles`.
-FoldIndex::Box FoldIndex::corners_for(int place, const TileBounds& tiles, int labels) const {
+/// Returns the box of the first corners of the cells of which any part may be displayed in the
+/// tiles `tiles` of a block of points. widest: max span of these cells beyond their spacing [m].
+FoldIndex::Box FoldIndex::corners_for(int block, const TileBounds& tiles, float widest) const {
     const double spacing = lattice_.period / lattice_.resolution;
     // A box is the span of the corners, each at most this far from the first, plus a margin.
-    const double span =
-        spacing + static_cast<double>(cells_of_[static_cast<std::size_t>(labels)].widest);
+    const double span = spacing + static_cast<double>(widest);
     const double around = (1.0 + 2.0 * kMargin) * span + kMargin * spacing;
-    const auto along = [&](int place_block, int label_block, int first, int last) {
-        const double low = (place_block * kBlockTiles + first) * kCellsPerTile * spacing;
-        const double high = (place_block * kBlockTiles + last + 1) * kCellsPerTile * spacing;
-        // The copy of these tiles that is nearest to the labels, for labels that do not span the
-        // period.
-        const double shift =
-            lattice_.period *
-            std::round((0.5 * (low + high) / spacing - (label_block + 0.5) * kBlock) /
-                       lattice_.resolution);
-        return Range{low - around - shift, high + around - shift};
+    const auto along = [&](int place, int first, int last) {
+        const double low = (place * kBlockTiles + first) * kCellsPerTile * spacing;
+        const double high = (place * kBlockTiles + last + 1) * kCellsPerTile * spacing;
+        return Range{low - around, high + around};
     };
-    return {along(place % across_, labels % across_, tiles.first_x, tiles.last_x),
-            along(place / across_, labels / across_, tiles.first_y, tiles.last_y)};
+    return {along(block % across_, tiles.first_x, tiles.last_x),
+            along(block / across_, tiles.first_y, tiles.last_y)};
 }
 
 /// Finds the tiles of a block of places in which squeezed cells are shown, and lists all cells that
@@ -158,8 +156,12 @@ void FoldIndex::list_cells(int block) {
     cells = {};
     std::array<char, kTilesOfBlock> squeezed{};
     TileBounds bounds;
-    each_label_block(block, &LabelBlocks::cells, [&](int labels) {
-        for (const TileRange& range : cells_of_[static_cast<std::size_t>(labels)].squeezed) {
+    const CellBox labels = labels_around(block);
+    float widest = 0.0f;
+    each_square(labels, kPatch, [&](int i, int j, const CellBox&) {
+        const Measured& measured = cells_of_[static_cast<std::size_t>(j * patches_ + i)];
+        widest = std::max(widest, measured.widest);
+        for (const TileRange& range : measured.squeezed) {
             each_tile(range, block, [&](std::size_t tile) {
                 squeezed[tile] = 1;
                 bounds.add(static_cast<int>(tile));
@@ -174,18 +176,20 @@ void FoldIndex::list_cells(int block) {
     std::vector<Shown> shown;
     constexpr std::size_t kMax = kMaxTilesPerCell * kBlock * kBlock;
     const double spacing = lattice_.period / lattice_.resolution;
-    const bool all_round = labels_of(block % across_).count == across_;
-    each_label_block(block, &LabelBlocks::cells, [&](int labels) {
-        const Box near = all_round ? Box::everywhere() : corners_for(block, bounds, labels);
-        each_sample(labels, [&](int i, int j) {
-            const Offset offset = offset_[sample_at(i, j)];
-            const double x = i * spacing + static_cast<double>(offset.x);
-            const double y = j * spacing + static_cast<double>(offset.y);
+    // Labels all round the period may be displayed in a copy of the block.
+    const Box near =
+        is_all_round(labels.x) ? Box::everywhere() : corners_for(block, bounds, widest);
+    const int mask = lattice_.resolution - 1;
+    each_square(labels, kBlock, [&](int, int, const CellBox& part) {
+        each_sample(part, [&](int i, int j) {
+            const std::size_t cell = sample_at(i, j);
+            const double x = i * spacing + static_cast<double>(offset_[cell].x);
+            const double y = j * spacing + static_cast<double>(offset_[cell].y);
             if (!near.x.holds(x) || !near.y.holds(y) || shown.size() > kMax) return;
-            each_tile(tiles_of(i, j), block, [&](std::size_t tile) {
+            each_tile(tiles_of(i & mask, j & mask), block, [&](std::size_t tile) {
                 if (squeezed[tile] == 0) return;
-                shown.push_back({static_cast<std::uint32_t>(tile),
-                                 static_cast<std::uint32_t>(sample_at(i, j))});
+                shown.push_back(
+                    {static_cast<std::uint32_t>(tile), static_cast<std::uint32_t>(cell)});
             });
         });
     });
@@ -202,7 +206,8 @@ void FoldIndex::list_cells(int block) {
 std::uint64_t FoldIndex::bytes(int resolution) {
     const std::uint64_t cells = Lattice{resolution, 1.0}.size();
     constexpr std::uint64_t listed = 4;  // a cell is shown in one to four tiles
-    return cells * (sizeof(Offset) + sizeof(float) + listed * sizeof(std::uint32_t));
+    return cells * (sizeof(Offset) + sizeof(float) + listed * sizeof(std::uint32_t)) +
+           cells / (kPatch * kPatch) * sizeof(Measured);
 }
 
 FoldIndex::Box FoldIndex::box_of(int i, int j) const {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,7 +25,7 @@ namespace ocean {
 
 class FoldIndex {
   public:
-    static constexpr int kBlock = 32;  // cells, along each axis
+    static constexpr int kBlock = 32;  // cells of a block of points, along each axis
 
     /// Makes an index whose cells lie between the samples of a lattice of `resolution`, at most the
     /// map's.
@@ -120,23 +121,54 @@ class FoldIndex {
     /// between them except for its curvature, which shifts the edge of a fold.
     static constexpr double kMargin = 0.25;
 
-    /// Along one axis: the blocks of labels that may be shown in a block of places, and the blocks
-    /// after them, whose first samples are corners of the last cells.
-    struct LabelBlocks {
-        int first;  // may be negative
-        int count;
-        int cells;  // blocks whose cells count: without the last, unless all round
+    /// Labels are placed and measured in patches, smaller than the blocks of points: what a block
+    /// shows reaches a few cells beyond it.
+    static constexpr int kPatch = 8;  // cells, along each axis
+    static constexpr int kFirstSample = 1 - kPatch;
+
+    /// A range of cells along one axis; `first` may be negative, and `end` lies after the last.
+    struct CellRange {
+        int first, end;
+
+        /// Returns the range of the squares of `size` cells that hold these cells.
+        CellRange in_squares(int size) const {
+            return {static_cast<int>(std::floor(static_cast<double>(first) / size)),
+                    static_cast<int>(std::ceil(static_cast<double>(end) / size))};
+        }
+        CellRange within(int low, int high) const {
+            return {std::max(first, low), std::min(end, high)};
+        }
     };
-    LabelBlocks labels_of(int place) const;
-    /// Calls visit(block) for labels that may be shown in a block of places, or for their corners.
+    struct CellBox {
+        CellRange x, y;
+
+        /// Returns the box of the samples at the corners of these cells.
+        CellBox with_corners() const { return {{x.first, x.end + 1}, {y.first, y.end + 1}}; }
+    };
+    /// Returns the labels that may be shown in a block of points, along one axis: whole patches.
+    CellRange labels_of(int place) const;
+    CellBox labels_around(int place) const {
+        return {labels_of(place % across_), labels_of(place / across_)};
+    }
+    bool is_all_round(CellRange labels) const {
+        return labels.end - labels.first == lattice_.resolution;
+    }
+    /// Calls visit(i, j, cells) for the squares of `size` cells, numbered within the period, that
+    /// hold cells of a box, and for these cells.
     template <typename Visit>
-    void each_label_block(int place, int LabelBlocks::*count, const Visit& visit) const;
-    void place_samples(const SplineMap& map, int block);
-    void measure_cells(int block);
+    void each_square(const CellBox& box, int size, const Visit& visit) const;
+    void place_samples(const SplineMap& map, int patch);
+    void measure_cells(int patch);
     void list_cells(int block);
-    Box corners_for(int place, const TileBounds& tiles, int labels) const;
+    Box corners_for(int block, const TileBounds& tiles, float widest) const;
     template <typename Visit>
-    void each_sample(int block, const Visit& visit) const;
+    static void each_sample(const CellBox& box, const Visit& visit);
+    /// Returns the square of a patch that begins `offset` cells after the patch's number says.
+    CellBox square_at(int patch, int offset) const {
+        const int i = patch % patches_ * kPatch + offset;
+        const int j = patch / patches_ * kPatch + offset;
+        return {{i, i + kPatch}, {j, j + kPatch}};
+    }
     Box box_of(int i, int j) const;
     TileRange tiles_of(int i, int j) const;
     template <typename Visit>
@@ -157,16 +189,17 @@ class FoldIndex {
     };
 
     Lattice lattice_;
-    int tiles_;   // a side
-    int across_;  // blocks a side
+    int tiles_;    // a side
+    int across_;   // blocks a side
+    int patches_;  // a side
     double choppiness_ = 0.0;
     double reach_ = 0.0;
-    LazyTiles labels_;                // blocks whose samples are placed
-    LazyTiles measured_;              // blocks whose cells are measured
+    LazyTiles labels_;                // patches whose samples are placed
+    LazyTiles measured_;              // patches whose cells are measured
     LazyTiles places_;                // blocks whose cells are listed
     PageVector<Offset> offset_;       // of each sample of the lattice [m]
     PageVector<float> jacobian_;      // of each sample
-    std::vector<Measured> cells_of_;  // one for each block of labels
+    std::vector<Measured> cells_of_;  // one for each patch of labels
     std::vector<Cells> cells_;        // one for each block of points
 };
 
@@ -197,9 +230,9 @@ template <typename Visit>
 void FoldIndex::each_column(const SplineMap& map, int block, int width, const Visit& visit) const {
     const int size = map.lattice().resolution;
     const int step = size / lattice_.resolution;
-    const LabelBlocks labels = labels_of(block % across_);
-    const int first = labels.first * kBlock * step - 1;
-    const int last = std::min((labels.first + labels.count) * kBlock * step + 2, first + size);
+    const CellRange labels = labels_of(block % across_);
+    const int first = (labels.first + kFirstSample) * step - 1;
+    const int last = std::min(labels.end * step + 2, first + size);
     for (int column = first; column < last; column += width) visit(column & (size - 1));
     visit(last & (size - 1));
 }
