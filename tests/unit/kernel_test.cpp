@@ -178,6 +178,16 @@ TEST(PackedModes, OtherAmplitudesOfALatticeArePackedAsIfFromNothing) {
     }
 }
 
+TEST(PackedModes, AnotherPatchOfTheSameSizeHasWavenumbersOfItsOwn) {
+    Ocean sea(test::wind_sea(64, 200.0), {.threads = 1});
+    const Surface before = sea.evaluate(1.0, {Channel::height, Channel::nx});
+    sea.set("grid.patch_size", "300");
+    Ocean fresh(test::wind_sea(64, 300.0), {.threads = 1});
+    const Surface expected = fresh.evaluate(1.0, {Channel::height, Channel::nx});
+    EXPECT_TRUE(test::same_bits(sea.evaluate(1.0, {Channel::height, Channel::nx}), expected));
+    EXPECT_FALSE(test::same_bits(before, expected));
+}
+
 TEST(Kernel, MapsThatCutOrPadTheModesAndMapsOfCascadesAreExactToo) {
     Parameters parameters = test::wind_sea(64, 400.0);
     const Modes one = test::modes_of(parameters);

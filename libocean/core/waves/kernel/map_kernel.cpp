@@ -5,10 +5,7 @@
 #include "map_kernel.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/prefault_pages.hpp"
@@ -187,59 +184,24 @@ bool make_room(PageVector<float>& floats, std::size_t count) {
     return true;
 }
 
-/// Returns the bytes of a frame's outputs of N x N samples and of `floats_beside`, which making
-/// them reads.
-std::size_t frame_bytes(const KernelFrame& frame, std::span<const MapOutput> outputs, int n,
-                        std::size_t floats_beside) {
-    std::size_t components = frame.foam.kept != nullptr ? 1 : 0;
+/// Returns whether outputs of N x N samples are stored past the caches, if making them reads
+/// `floats_beside` floats too. A host works between its frames, so that the maps have left the
+/// caches when they are written again: storing through the caches would then read each line from
+/// memory first. [measured, Zen 5, N = 256, after frames of others: vertices 0.19 ms instead of
+/// 0.24 to 0.30, eight planes 0.28 instead of 0.42 to 0.63; a frame after the other takes the same
+/// time, and 7 to 30 % more if its maps are read next. Zen 3, N = 512 and 1024: 12 to 40 % less]
+/// Foam is read at its next tick: a small one would lose a quarter.
+bool are_streamed(const KernelFrame& frame, std::span<const MapOutput> outputs, int n,
+                  std::size_t floats_beside, const CacheSizes& caches) {
+    const bool has_tick = frame.foam.kept != nullptr;
+    std::size_t components = has_tick ? 1 : 0;
     for (const MapOutput& output : outputs) {
         components += static_cast<std::size_t>(output.components);
     }
     const std::size_t written =
         components * static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-    return (floats_beside + written) * sizeof(float);
+    return (floats_beside + written) * sizeof(float) > caches.shared / (has_tick ? 8 : 32);
 }
-
-/// Returns whether the outputs of a frame of so many bytes are stored past the caches. That loses
-/// up to 10 % of a small frame, 10 to 40 % if its caller reads the maps next, and a quarter of a
-/// tick of foam; storing through the caches loses 12 to 40 % of a large frame [measured: N = 256,
-/// and 512 and 1024, with 32 MiB of shared cache].
-bool are_streamed(std::size_t bytes, const CacheSizes& caches) {
-    return bytes > caches.shared / 8;
-}
-
-/// Returns the mean time [ns] of a load of `floats` floats, in which each load waits for the one
-/// before.
-double load_time(const float* memory, std::size_t floats) {
-    constexpr std::size_t kLoads = 8;
-    static const volatile std::uint32_t zero = 0;  // which the compiler does not know
-    const std::uint32_t none = zero;
-    std::size_t last = 0;
-    const auto begin = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < kLoads; ++i) {
-        last = std::bit_cast<std::uint32_t>(memory[floats / kLoads * i + last]) & none;
-    }
-    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - begin;
-    return time.count() / kLoads + static_cast<double>(last);
-}
-
-/// Tells whether other work has driven a frame's data from the caches since the last frame: whether
-/// the packets, which each frame reads, are far. Loads take 6 to 40 ns if frames follow each other
-/// and 50 to 350 ns after ten frames of others [measured: N = 64 to 512, Zen 5 in a virtual
-/// machine]. A processor whose shared cache is slow is compared with itself.
-class ColdCheck {
-  public:
-    bool is_cold(const PackedModes& modes) {
-        constexpr double kNear = 50.0;  // ns
-        if (modes.packet_floats() == 0) return false;
-        const double time = load_time(modes.packets(), modes.packet_floats());
-        least_ = std::min(least_, time);
-        return time > std::max(kNear, 2.0 * least_);
-    }
-
-  private:
-    double least_ = std::numeric_limits<double>::infinity();
-};
 
 }  // namespace
 
@@ -267,9 +229,7 @@ struct MapKernel::Impl {
     PageVector<float> intermediate;
     std::vector<PageVector<float>> scratch;  // one for each thread
     FrameTask task{};                        // pass one's, for all outputs
-    ColdCheck cold_check;
-    std::vector<FrameTask> part;  // pass two's, by part
-    std::size_t bytes = 0;        // of the frame, as frame_bytes() counts
+    std::vector<FrameTask> part;             // pass two's, by part
 
     Impl(std::shared_ptr<const PackedModes> packed, const CacheSizes& sizes)
         : code(kernel_code(packed->level())),
@@ -315,13 +275,11 @@ struct MapKernel::Impl {
             task.pair_stride * static_cast<std::size_t>(task.size / (2 * code.lanes));
         if (make_room(intermediate, floats)) prefault_pages(intermediate, pool);
         task.intermediate = intermediate.data();
-        bytes = frame_bytes(frame, outputs, task.size, floats);
-        for (FrameTask& one : part) one.intermediate = intermediate.data();
-        stream_outputs(are_streamed(bytes, caches));
-    }
-
-    void stream_outputs(bool streams) {
-        for (FrameTask& one : part) one.stream_outputs = streams;
+        const bool streams = are_streamed(frame, outputs, task.size, floats, caches);
+        for (FrameTask& one : part) {
+            one.intermediate = intermediate.data();
+            one.stream_outputs = streams;
+        }
     }
 
     void sweep(std::span<const std::uint8_t> strips, ThreadPool* pool) {
@@ -349,12 +307,6 @@ struct MapKernel::Impl {
 
     void run(const KernelFrame& frame, std::span<const MapOutput> outputs, ThreadPool& pool) {
         begin(frame, outputs, pool);
-        // Maps that left the caches before they are written again would leave them again: storing
-        // through the caches would only read them from memory first. [measured, N = 256, after ten
-        // frames of others: vertices 0.39 to 0.29 ms, eight planes 0.57 to 0.35 ms, and 0.66 to
-        // 0.39 ms if they are read next]
-        const bool may_be_cold = bytes > caches.shared / 64 && bytes <= caches.shared / 8;
-        if (may_be_cold && cold_check.is_cold(*modes)) stream_outputs(true);
         sweep({}, &pool);
         pool.for_each_item(task.size / code.item_width, [this](int item, int thread) {
             pass_two(item, scratch[static_cast<std::size_t>(thread)].data());
@@ -418,7 +370,7 @@ void MapKernel::use(std::shared_ptr<const PackedModes> modes,
     const bool fits = modes->size() == impl_->task.size && modes->level() == impl_->modes->level();
     if (!fits) {
         *this = MapKernel(std::move(modes), impl_->caches);
-    } else if (modes != impl_->modes) {
+    } else {  // even for the same object: it may have been filled anew
         impl_->set_modes(std::move(modes));
     }
     impl_->set_toward(std::move(toward), share);
@@ -460,8 +412,7 @@ void write_rows(const PlanarFields& fields, int resolution, int first, int last,
     Plan(task, frame, frame.outputs, fields_behind(frame.outputs, is_flat(frame)));
     const std::size_t planes = static_cast<std::size_t>(task.slots) * fields.row_stride *
                                static_cast<std::size_t>(resolution);
-    task.stream_outputs =
-        are_streamed(frame_bytes(frame, frame.outputs, resolution, planes), cache_sizes());
+    task.stream_outputs = are_streamed(frame, frame.outputs, resolution, planes, cache_sizes());
     // Here directly written planes are outputs like the others.
     for (int d = 0; d < task.direct_count; ++d) {
         const DirectPlane& plane = task.direct[d];

@@ -49,7 +49,6 @@ class PackedModes {
     double rate_unit() const { return rate_unit_; }
     double wavenumber_step() const { return wavenumber_step_; }
     const float* packets() const { return packets_.data(); }
-    std::size_t packet_floats() const { return packets_.size(); }
     const ModeGroup* groups() const { return groups_.data(); }
 
   private:
