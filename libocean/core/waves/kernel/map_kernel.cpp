@@ -189,7 +189,7 @@ bool make_room(PageVector<float>& floats, std::size_t count) {
 /// caches when they are written again: storing through the caches would then read each line from
 /// memory first. [measured, Zen 5, N = 256, after frames of others: vertices 0.19 ms instead of
 /// 0.24 to 0.30, eight planes 0.28 instead of 0.42 to 0.63; a frame after the other takes the same
-/// time, and 7 to 30 % more if its maps are read next. Zen 3, N = 512 and 1024: 12 to 40 % less]
+/// time, or up to 6 % more if its maps are read next. N = 1024: 26 to 46 % less]
 /// Foam is read at its next tick: a small one would lose a quarter.
 bool are_streamed(const KernelFrame& frame, std::span<const MapOutput> outputs, int n,
                   std::size_t floats_beside, const CacheSizes& caches) {
