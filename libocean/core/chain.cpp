@@ -96,7 +96,10 @@ const Modes& Chain::modes(ThreadPool& pool, StageRuns& runs) {
         gains_ = make_modes(parameters_, spectrum, modes_, pool, runs);
     } else {
         statistics(pool, runs);
-        interpolate(*modes_between(pool, runs), pool, *modes_.own());
+        const ModesBetween between = *modes_between(pool, runs);
+        // A copy of the chain may have shared them since.
+        if (modes_.own() == nullptr) modes_ = std::make_shared<Modes>(*modes_.get());
+        interpolate(between, pool, *modes_.own());
     }
     modes_.own()->revision = revision(Stage::modes);
     return *modes_.get();

@@ -146,6 +146,10 @@ TEST(Passage, HasTheSameBitsInEveryOrderWithEveryInstructionSetAndAsManyThreads)
                     << backend.name << " at " << times[i];
                 Ocean copy(back, {.threads = 1});
                 EXPECT_TRUE(test::same_bits(copy.evaluate(times[i], kShown, 64), frames[i]));
+                const auto amplitudes = [&](Ocean& ocean) {
+                    return ocean.modes(times[i]).cascades.back().h0;
+                };
+                EXPECT_EQ(amplitudes(copy), amplitudes(back));
             }
         }
     }
