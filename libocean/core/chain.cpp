@@ -14,6 +14,7 @@
 #include "ocean/internal/sea_bytes.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
+#include "ocean/thread_pool.hpp"
 #include "waves/crests/crest_waves.hpp"
 #include "waves/modes/mode_lattice.hpp"
 
