@@ -58,9 +58,17 @@ class MapFrame {
     }
     Ocean& ocean() { return ocean_; }
     void run(double time) { ocean_.evaluate_into(time, {&output_, 1}); }
+    /// Performs a wind as soon after the last as a take holds events, and runs its frame.
+    template <typename WindAt>
+    void play(const WindAt& wind_at) {
+        played_until_ += kMinEventSpacing;
+        ocean_.perform(played_until_, "wind_speed", std::to_string(wind_at(played_until_)));
+        run(played_until_);
+    }
 
   private:
     Ocean ocean_;
+    double played_until_ = 0.0;
     HugeArray<float> displacement_;
     MapOutput output_;
 };
@@ -169,7 +177,6 @@ void host_figures(int n, const TableOptions& options, Report& report) {
     std::vector<QuerySample> samples(points.size());
     kept.query(0.0, points, samples, {.foam = false});
     map.run(0.0);
-    double played_until = 0.0, hurried_until = 0.0;
     FoamTicks foam_of_two_sizes(parameters);
     foam_of_two_sizes.tick(n);
     foam_of_two_sizes.tick(n / 2);
@@ -184,10 +191,7 @@ void host_figures(int n, const TableOptions& options, Report& report) {
         [&](double) { kept.query(0.0, points, samples, {.foam = false}); },
         [&](double) {
             for (int i = 0; i < kPlayed; ++i) {
-                played_until += kMinEventSpacing;
-                const double wind = 10.0 + std::fmod(played_until, 1.0);
-                played.ocean().perform(played_until, "wind_speed", std::to_string(wind));
-                played.run(played_until);
+                played.play([](double time) { return 10.0 + std::fmod(time, 1.0); });
             }
         },
         [&](double) { Ocean(map.ocean(), {.threads = 1}); },
@@ -200,10 +204,7 @@ void host_figures(int n, const TableOptions& options, Report& report) {
         [&](double time) { huge.run(time); },
         [&](double time) { plain.run(time); },
         [&](double) {
-            hurried_until += kMinEventSpacing;
-            const bool rises = std::fmod(hurried_until, 1.0) < 0.5;
-            hurried.ocean().perform(hurried_until, "wind_speed", rises ? "30" : "5");
-            hurried.run(hurried_until);
+            hurried.play([](double time) { return std::fmod(time, 1.0) < 0.5 ? 30.0 : 5.0; });
         },
     };
     const Rounds rounds = measure(frames, options.rounds(State::hot, 1));

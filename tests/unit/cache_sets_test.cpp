@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kFirstSets = 64;
 constexpr std::size_t kSecondSets = 1024;
 constexpr int kWays = 8;
-constexpr std::size_t kLineFloats = 16;
+constexpr auto kLineFloats = static_cast<std::size_t>(OCEAN_KERNEL::kLineFloats);
 
 class Step {
   public:

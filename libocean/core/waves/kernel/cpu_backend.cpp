@@ -38,6 +38,7 @@ class CpuMap {
         Packed& from = packed_[from_];
         Packed& to = packed_[1 - from_];
         bool packs = pack(modes, from, pool);
+        if (kernel_ && (packs || turns)) kernel_->use(from.modes.share());
         if (passes) {
             MapModes end = modes;
             end.cascades = modes.toward;
@@ -45,7 +46,7 @@ class CpuMap {
             packs = pack(end, to, pool) || packs;
         }
         if (!kernel_) kernel_.emplace(from.modes.share());
-        kernel_->use(from.modes.share(), passes ? to.modes.share() : nullptr, modes.share);
+        kernel_->interpolate(passes ? to.modes.share() : nullptr, modes.share);
         kernel_->run({modes.tau, request.settings, request.outputs, request.foam}, pool);
         return packs;
     }

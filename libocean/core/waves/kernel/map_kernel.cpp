@@ -260,10 +260,10 @@ struct MapKernel::Impl {
         task.groups = packed->groups();
         task.rate_unit = static_cast<float>(kTwoPi * packed->rate_unit());
         modes = std::move(packed);
-        set_toward(nullptr, 0.0f);
+        interpolate(nullptr, 0.0f);
     }
 
-    void set_toward(std::shared_ptr<const PackedModes> packed, float share) {
+    void interpolate(std::shared_ptr<const PackedModes> packed, float share) {
         task.toward = packed != nullptr ? packed->packets() : nullptr;
         task.share = share;
         toward = std::move(packed);
@@ -365,15 +365,17 @@ MapKernel::~MapKernel() = default;
 MapKernel::MapKernel(MapKernel&&) noexcept = default;
 MapKernel& MapKernel::operator=(MapKernel&&) noexcept = default;
 
-void MapKernel::use(std::shared_ptr<const PackedModes> modes,
-                    std::shared_ptr<const PackedModes> toward, float share) {
+void MapKernel::use(std::shared_ptr<const PackedModes> modes) {
     const bool fits = modes->size() == impl_->task.size && modes->level() == impl_->modes->level();
     if (!fits) {
         *this = MapKernel(std::move(modes), impl_->caches);
-    } else {  // even for the same object: it may have been filled anew
-        impl_->set_modes(std::move(modes));
+        return;
     }
-    impl_->set_toward(std::move(toward), share);
+    impl_->set_modes(std::move(modes));
+}
+
+void MapKernel::interpolate(std::shared_ptr<const PackedModes> toward, float share) {
+    impl_->interpolate(std::move(toward), share);
 }
 
 void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {

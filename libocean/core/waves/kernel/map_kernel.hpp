@@ -40,10 +40,12 @@ class MapKernel {
     /// The sizes of caches change the order of the work, never its bits.
     explicit MapKernel(std::shared_ptr<const PackedModes> modes,
                        const CacheSizes& caches = cache_sizes());
-    /// Switches to other modes of the same resolution and keeps the arrays. toward: modes of the
-    /// same lattice, towards which the amplitudes are `share` of the way; null: none.
-    void use(std::shared_ptr<const PackedModes> modes,
-             std::shared_ptr<const PackedModes> toward = nullptr, float share = 0.0f);
+    /// Switches to other modes of the same resolution, or to the same filled anew, and keeps the
+    /// arrays. The amplitudes are theirs.
+    void use(std::shared_ptr<const PackedModes> modes);
+    /// Puts the amplitudes `share` of the way towards those of other modes of the same lattice;
+    /// null: they are those of the modes in use.
+    void interpolate(std::shared_ptr<const PackedModes> toward, float share);
     ~MapKernel();
     MapKernel(MapKernel&&) noexcept;
     MapKernel& operator=(MapKernel&&) noexcept;

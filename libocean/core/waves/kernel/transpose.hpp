@@ -63,7 +63,7 @@ OCEAN_INLINE void prefetch_targets(const Target& target, const IsWanted& is_want
     for (int m = share * B / kLanes; m < (share + 1) * B / kLanes; ++m) {
         if (!is_wanted(m)) continue;
         for (int l = 0; l < kLanes; ++l) {
-            for (int line = 0; line < 2 * kLanes; line += 16) {
+            for (int line = 0; line < 2 * kLanes; line += kLineFloats) {
                 __builtin_prefetch(target(m) + place[l] + line, 1, 3);
             }
         }
